@@ -1,0 +1,259 @@
+#include "exporters/povray.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <vector>
+
+#include "exporters/povray_material.hpp"
+#include "tracer/scene/dielectrics.hpp"
+#include "tracer/scene/hierarchy.hpp"
+#include "tracer/scene/writer.hpp"
+
+namespace plumb::exporters {
+namespace {
+
+/// Half extents of a sphere or box along the world axes, by the absolute values of the matrix.
+struct Bounds {
+  Vec3d min{std::numeric_limits<double>::infinity()};
+  Vec3d max{-std::numeric_limits<double>::infinity()};
+
+  void include(const Vec3d& low, const Vec3d& high) {
+    min = glm::min(min, low);
+    max = glm::max(max, high);
+  }
+  double span() const { return std::max({max.x - min.x, max.y - min.y, max.z - min.z, 0.0}); }
+};
+
+Bounds object_bounds(const Shape& shape) {
+  if (const auto* sphere = std::get_if<Sphere>(&shape.geometry)) {
+    return {sphere->center - Vec3d(sphere->radius), sphere->center + Vec3d(sphere->radius)};
+  }
+  const Box& box = std::get<Box>(shape.geometry);
+  return {box.min, box.max};
+}
+
+Bounds world_bounds(const Bounds& object, const Mat4<double>& matrix) {
+  const Vec3d middle = formulas::transform_point(matrix, (object.min + object.max) / 2.0);
+  const Vec3d half = (object.max - object.min) / 2.0;
+  const Vec3d extent =
+      glm::abs(Vec3d(matrix[0])) * half.x + glm::abs(Vec3d(matrix[1])) * half.y + glm::abs(Vec3d(matrix[2])) * half.z;
+  return {middle - extent, middle + extent};
+}
+
+/// A name for a comment: anything but letters, digits, _ and - becomes ?.
+std::string harmless(const std::string& name) {
+  std::string shown = name.substr(0, 40);
+  for (char& c : shown) {
+    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+    if (!plain) c = '?';
+  }
+  return shown;
+}
+
+class Exporter {
+ public:
+  Exporter(const Scene& scene, const Camera& camera, int width, int height, const RenderOptions& options)
+      : scene_(scene), camera_(camera), width_(width), height_(height), options_(options),
+        space_(export_space(scene, camera)), roots_(scene.roots()) {}
+
+  PovrayExport write() {
+    const auto pose = pose_of<double>(camera_);
+    const auto around = dielectrics_around(scene_, pose.eye, pose.direction);
+    header();
+    camera(pose);
+    for (const Light& light : scene_.lights) {
+      text_ += "light_source { " + sdl(exported_point(light.position)) + ", rgb " + sdl(light.intensity()) + " }\n";
+    }
+    materials();
+    if (around.empty()) {
+      hierarchy();
+    } else {
+      flat(around);
+    }
+    return {std::move(text_), !around.empty()};
+  }
+
+ private:
+  enum class Role { itself, shadow_caster };
+
+  Vec3d exported_point(const Vec3d& p) const { return space_.scale * (p - space_.center); }
+
+  void header() {
+    text_ += "// Exported by plumb. One unit of the scene is " + to_text(space_.scale) + " units here";
+    if (space_.center != Vec3d(0)) text_ += "; " + sdl(space_.center) + " of the scene is the origin";
+    text_ += ".\n#version 3.7;\nglobal_settings { assumed_gamma 1.0 max_trace_level " + std::to_string(options_.depth) +
+             " adc_bailout 0 }\n";
+    if (scene_.background != Rgbd(0)) text_ += "background { rgb " + sdl(scene_.background) + " }\n";
+  }
+
+  void camera(const CameraPose<double>& pose) {
+    const Mat4<double> m = formulas::camera_matrix(pose.eye, pose.direction, pose.up);
+    const double distance = formulas::image_plane_distance(camera_.fov_x_degrees);
+    const double aspect = static_cast<double>(height_) / static_cast<double>(width_);
+    text_ += "camera { perspective location " + sdl(exported_point(pose.eye)) + " direction " +
+             sdl(-Vec3d(m[2]) * distance) + " right " + sdl(Vec3d(m[0])) + " up " + sdl(Vec3d(m[1]) * aspect) + " }\n";
+  }
+
+  bool casts_apart(const Material& material) const {
+    return material.transmits() && options_.glass_shadow == GlassShadow::full && !scene_.lights.empty();
+  }
+
+  bool casts_apart(const Shape& shape) const {
+    const MaterialId* material = material_of(shape);
+    return material != nullptr && casts_apart(scene_.materials[*material]);
+  }
+
+  void materials() {
+    std::set<MaterialId> used;
+    bool needs_caster = false;
+    for (const Shape& shape : scene_.shapes) {
+      if (const MaterialId* material = material_of(shape)) {
+        used.insert(*material);
+        needs_caster = needs_caster || casts_apart(scene_.materials[*material]);
+      }
+    }
+    for (const MaterialId id : used) {
+      const Material& material = scene_.materials[id];
+      text_ += "#declare Material_" + std::to_string(id) + " = // " + harmless(material.name) + "\n" +
+               povray_texture(material, scene_.ambient);
+    }
+    if (needs_caster) text_ += "#declare Caster = texture { pigment { rgb 0 } finish { ambient 0 diffuse 0 } }\n";
+  }
+
+  /// Inside a sphere or box: texture, interior and flags.
+  std::string appearance(const Shape& shape, Role role) const {
+    const MaterialId id = *material_of(shape);
+    const Material& material = scene_.materials[id];
+    if (role == Role::shadow_caster) return " texture { Caster } no_image no_reflection";
+    std::string text = " texture { Material_" + std::to_string(id) + " }";
+    if (material.transmits()) {
+      text += " interior { ior " + to_text(material.eta) + " }";
+      if (options_.glass_shadow != GlassShadow::filtered) text += " no_shadow";
+    }
+    return text;
+  }
+
+  /// M in export units: the linear part is the same, lengths are scaled; only at the top the centre moves.
+  std::string matrix(const Mat4<double>& m, bool is_root) const {
+    const Vec3d moved = space_.scale * (Vec3d(m[3]) - (is_root ? space_.center : Vec3d(0)));
+    const bool linear_identity = Vec3d(m[0]) == Vec3d(1, 0, 0) && Vec3d(m[1]) == Vec3d(0, 1, 0) && Vec3d(m[2]) == Vec3d(0, 0, 1);
+    if (linear_identity) return moved == Vec3d(0) ? "" : " translate " + sdl(moved);
+    std::string text = " matrix <";
+    for (int column = 0; column < 3; ++column) {
+      for (int row = 0; row < 3; ++row) text += to_text(m[column][row]) + ",";
+    }
+    return text + to_text(moved.x) + "," + to_text(moved.y) + "," + to_text(moved.z) + ">";
+  }
+
+  std::string primitive(const Shape& shape, const std::string& rest) const {
+    const double s = space_.scale;
+    if (const auto* sphere = std::get_if<Sphere>(&shape.geometry)) {
+      return "sphere { " + sdl(s * sphere->center) + ", " + to_text(s * sphere->radius) + rest + " }";
+    }
+    const Box& box = std::get<Box>(shape.geometry);
+    return "box { " + sdl(s * box.min) + ", " + sdl(s * box.max) + rest + " }";
+  }
+
+  /// A sphere or box, and beside it its black shadow caster where glass must cast a full shadow.
+  std::string leaf(const Shape& shape, const std::string& placed) const {
+    std::string text = primitive(shape, appearance(shape, Role::itself) + placed);
+    if (casts_apart(shape)) {
+      text += " " + primitive(shape, appearance(shape, Role::shadow_caster) + placed);
+    }
+    return text;
+  }
+
+  /// Every composite is declared once, its children before it; spheres and boxes stand where they are used.
+  void hierarchy() {
+    std::vector<bool> is_declared(scene_.shapes.size(), false);
+    for (const ShapeId root : roots_) declare(root, is_declared);
+    for (const ShapeId root : roots_) text_ += use(root, true) + " // " + harmless(scene_.shapes[root].name) + "\n";
+  }
+
+  void declare(ShapeId id, std::vector<bool>& is_declared) {
+    const auto* composite = std::get_if<Composite>(&scene_.shapes[id].geometry);
+    if (composite == nullptr || is_declared[id]) return;
+    is_declared[id] = true;
+    for (const ShapeId child : composite->children) declare(child, is_declared);
+    const bool is_union = composite->children.size() > 1 || casts_apart(scene_.shapes[composite->children.front()]);
+    text_ += "#declare Composite_" + std::to_string(id) + " = " + (is_union ? "union { // " : "// ") +
+             harmless(scene_.shapes[id].name) + "\n";  // POV-Ray warns of a union of one
+    for (const ShapeId child : composite->children) text_ += "  " + use(child, false) + "\n";
+    if (is_union) text_ += "}\n";
+  }
+
+  std::string use(ShapeId id, bool is_root) const {
+    const Shape& shape = scene_.shapes[id];
+    const std::string placed = matrix(transform_of<double>(shape.transform).matrix, is_root);
+    if (material_of(shape) != nullptr) return leaf(shape, placed);
+    return "object { Composite_" + std::to_string(id) + placed + " }";
+  }
+
+  /// With the eye inside glass POV-Ray looks for the interiors among the top objects only, in their order.
+  void flat(const std::vector<EnclosingDielectric>& around) {
+    std::vector<Instance> instances;
+    for_each_instance(scene_, [&](const Instance& instance) { instances.push_back(instance); });
+    const auto material = [&](const Instance& i) -> const Material& {
+      return scene_.materials[*material_of(scene_.shapes[i.shape])];
+    };
+    const auto write = [&](const Instance& i, Role role) {
+      const Shape& shape = scene_.shapes[i.shape];
+      text_ += primitive(shape, appearance(shape, role) + matrix(i.world_from_object.matrix, true)) + " // " +
+               harmless(shape.name) + "\n";
+    };
+    for (const Instance& i : instances) {
+      if (casts_apart(material(i))) write(i, Role::shadow_caster);
+    }
+    std::vector<bool> is_written(instances.size(), false);
+    for (const EnclosingDielectric& d : around) {
+      write(instances[d.instance], Role::itself);
+      is_written[d.instance] = true;
+    }
+    for (std::size_t i = 0; i < instances.size(); ++i) {
+      if (!is_written[i]) write(instances[i], Role::itself);
+    }
+  }
+
+  const Scene& scene_;
+  const Camera& camera_;
+  int width_;
+  int height_;
+  const RenderOptions& options_;
+  ExportSpace space_;
+  std::vector<ShapeId> roots_;
+  std::string text_;
+};
+
+}  // namespace
+
+ExportSpace export_space(const Scene& scene, const Camera& camera) {
+  constexpr double wanted_span = 8192;        // at least, and less than twice as much
+  constexpr double smallest_feature = 16;     // 1e-3 (the shadow tolerance) must be small against it
+  constexpr double largest_span = 1 << 20;    // spheres vanish past 1e7
+  const Vec3d eye = pose_of<double>(camera).eye;
+  Bounds all;
+  all.include(eye, eye);
+  double smallest = std::numeric_limits<double>::infinity();
+  for_each_instance(scene, [&](const Instance& instance) {
+    const Bounds b = world_bounds(object_bounds(scene.shapes[instance.shape]), instance.world_from_object.matrix);
+    all.include(b.min, b.max);
+    smallest = std::min(smallest, b.span());
+  });
+  const double span = all.span();
+  if (!(span > 0) || !std::isfinite(span)) return {1, Vec3d(0)};
+  int exponent = std::ilogb(wanted_span) - std::ilogb(span);
+  const auto scaled = [&](double length) { return std::ldexp(length, exponent); };
+  while (scaled(smallest) < smallest_feature && scaled(span) < largest_span / 2) ++exponent;
+  const Vec3d middle = (all.min + all.max) / 2.0;
+  const bool is_far_off = glm::length(middle) > 2 * span;
+  return {std::ldexp(1.0, exponent), is_far_off ? middle : Vec3d(0)};
+}
+
+PovrayExport export_povray(const Scene& scene, const Camera& camera, int width, int height,
+                           const RenderOptions& options) {
+  return Exporter(scene, camera, width, height, options).write();
+}
+
+}  // namespace plumb::exporters

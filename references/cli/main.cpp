@@ -1,0 +1,41 @@
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <vector>
+
+#include "references/cli/commands.hpp"
+
+namespace plumb::cli {
+namespace {
+
+int run(int argc, char** argv) {
+  CLI::App app("plumb tells whether a ray tracer is right: it renders a course scene, has POV-Ray render the same "
+               "scene, and compares every pixel.");
+  app.set_version_flag("--version", "plumb " PLUMB_VERSION);
+  app.require_subcommand(1);
+  app.footer("Example: plumb verify tests/scenes/*.sdf\nExit codes: 0 agrees, 1 differs, 2 trouble.");
+  const std::vector<Command> commands{add_render(app),  add_export(app), add_verify(app),
+                                      add_compare(app), add_lint(app),   add_references(app)};
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? exit_agrees : exit_trouble;
+  }
+  for (const Command& command : commands) {
+    if (command.app->parsed()) return command.run();
+  }
+  return exit_trouble;
+}
+
+}  // namespace
+}  // namespace plumb::cli
+
+int main(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file too large is then an error of write(), with a message
+  try {
+    return plumb::cli::run(argc, argv);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return plumb::cli::exit_trouble;
+  }
+}

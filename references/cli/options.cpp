@@ -1,0 +1,91 @@
+#include "references/cli/options.hpp"
+
+#include <charconv>
+#include <cstdio>
+#include <stdexcept>
+
+namespace plumb::cli {
+namespace {
+
+constexpr int largest_side = 65535;
+constexpr double most_pixels = 1 << 28;
+
+std::optional<int> whole_number(std::string_view text) {
+  int value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+}  // namespace
+
+void add_dialect(CLI::App& app, SceneOptions& options) {
+  app.add_option("--dialect", options.dialect,
+                 "how the file deviates from the course grammar; parts joined by commas:\n" + describe_dialects())
+      ->type_name("NAME");
+}
+
+void add_scene_options(CLI::App& app, SceneOptions& options) {
+  app.add_option("--size", options.size, "size of the picture instead of the scene's own")->type_name("WxH");
+  app.add_option("--camera", options.camera, "camera instead of the scene's own")->type_name("NAME");
+  app.add_option("--depth", options.depth, "recursion depth D: trace(depth >= D) is black; the primary ray has depth 0")
+      ->type_name("D")
+      ->check(CLI::Range(1, max_depth))
+      ->capture_default_str();
+  app.add_option("--glass-shadow", options.glass_shadow,
+                 "full: glass blocks light (the lecture); none: it casts no shadow; filtered: light times kt a surface")
+      ->check(CLI::IsMember({"full", "none", "filtered"}))
+      ->capture_default_str();
+  add_dialect(app, options);
+}
+
+void add_real(CLI::App& app, SceneOptions& options) {
+  app.add_option("--real", options.real, "type of real numbers")
+      ->check(CLI::IsMember({"float", "double", "long-double"}))
+      ->capture_default_str();
+}
+
+Dialect dialect_of(const SceneOptions& options) {
+  return options.dialect.empty() ? Dialect{} : parse_dialect(options.dialect);
+}
+
+RenderOptions render_options_of(const SceneOptions& options) {
+  RenderOptions render;
+  render.depth = options.depth;
+  if (options.glass_shadow == "none") render.glass_shadow = GlassShadow::none;
+  if (options.glass_shadow == "filtered") render.glass_shadow = GlassShadow::filtered;
+  return render;
+}
+
+textbook::RealType real_of(const SceneOptions& options) {
+  if (options.real == "float") return textbook::RealType::float32;
+  return options.real == "double" ? textbook::RealType::float64 : textbook::RealType::long_double;
+}
+
+std::optional<references::Size> size_of(const SceneOptions& options) {
+  if (options.size.empty()) return std::nullopt;
+  const std::size_t x = options.size.find('x');
+  const auto width = whole_number(std::string_view(options.size).substr(0, x));
+  const auto height =
+      x == std::string::npos ? std::nullopt : whole_number(std::string_view(options.size).substr(x + 1));
+  if (!width || !height) {
+    throw std::invalid_argument("--size: found '" + options.size + "', expected WxH, e.g. 480x320");
+  }
+  const bool fits = *width >= 1 && *height >= 1 && *width <= largest_side && *height <= largest_side &&
+                    static_cast<double>(*width) * *height <= most_pixels;
+  if (!fits) {
+    throw std::invalid_argument("--size: found " + options.size +
+                                ", expected 1 to 65535 a side and at most 268435456 pixels");
+  }
+  return references::Size{*width, *height};
+}
+
+View view_of(const Scene& scene, const SceneOptions& options) {
+  const RenderRequest& request = scene.renders.front();
+  return {scene.camera(options.camera.empty() ? request.camera : options.camera),
+          size_of(options).value_or(references::Size{request.width, request.height})};
+}
+
+void warn(const std::string& line) { std::fprintf(stderr, "%s\n", line.c_str()); }
+
+}  // namespace plumb::cli

@@ -1,0 +1,45 @@
+// Options that several commands share.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+
+#include "references/verify.hpp"
+#include "tracer/scene/dialect.hpp"
+#include "tracer/scene/render_options.hpp"
+#include "tracer/scene/scene.hpp"
+
+namespace plumb::cli {
+
+/// Text of the options; turned into values by the functions below, which throw std::invalid_argument.
+struct SceneOptions {
+  std::string size;
+  std::string camera;
+  std::string dialect;
+  std::string glass_shadow = "full";
+  std::string real = "double";
+  int depth = 8;
+};
+
+void add_dialect(CLI::App& app, SceneOptions& options);
+/// --size --camera --depth --dialect --glass-shadow
+void add_scene_options(CLI::App& app, SceneOptions& options);
+void add_real(CLI::App& app, SceneOptions& options);
+
+Dialect dialect_of(const SceneOptions& options);
+RenderOptions render_options_of(const SceneOptions& options);
+textbook::RealType real_of(const SceneOptions& options);
+std::optional<references::Size> size_of(const SceneOptions& options);
+
+/// What to render of a scene: its own render line, unless the options say otherwise.
+struct View {
+  const Camera& camera;
+  references::Size size;
+};
+View view_of(const Scene& scene, const SceneOptions& options);
+
+/// Prints a line on standard error.
+void warn(const std::string& line);
+
+}  // namespace plumb::cli

@@ -1,0 +1,31 @@
+// Progress of long work: a line that is drawn over, on a terminal only.
+#pragma once
+
+#include <chrono>
+#include <string>
+
+namespace plumb::cli {
+
+class Progress {
+ public:
+  explicit Progress(std::string what);
+  ~Progress();
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  /// Draws at most ten times a second, and nothing in the first second. `fraction` in 0..1.
+  void show(double fraction);
+  /// Takes the line away, for other output.
+  void clear();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  std::string what_;
+  bool is_terminal_;
+  bool is_drawn_ = false;
+  Clock::time_point begin_;
+  Clock::time_point last_;
+};
+
+}  // namespace plumb::cli

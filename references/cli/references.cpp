@@ -1,0 +1,115 @@
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+#include "exporters/povray.hpp"
+#include "references/cli/commands.hpp"
+#include "references/comparison.hpp"
+#include "references/digest.hpp"
+#include "references/povray.hpp"
+#include "references/stored.hpp"
+#include "tracer/scene/reader.hpp"
+
+namespace plumb::cli {
+namespace {
+
+namespace refs = references;
+
+/// The same POV-Ray on another machine may round a float32 differently in its last bits.
+constexpr double tolerance = 1e-6;
+
+struct Options {
+  bool check = false;
+  std::vector<std::string> update;
+};
+
+struct Exported {
+  refs::PovrayJob job;
+  std::string command;
+};
+
+Exported exported(const std::string& path) {
+  const Scene scene = load_scene(path, Dialect{});
+  const RenderRequest& request = scene.renders.front();
+  const auto povray =
+      exporters::export_povray(scene, scene.camera(request.camera), request.width, request.height, RenderOptions{});
+  Exported result{{povray.text, request.width, request.height, povray.needs_flat_objects}, "povray"};
+  for (const std::string& argument : refs::povray_arguments(result.job)) result.command += " " + argument;
+  return result;
+}
+
+std::string complaint_about(const refs::StoredReferences& stored, const refs::StoredReference& entry,
+                            const refs::Povray& povray) {
+  const Exported now = exported(std::string(PLUMB_SOURCE_DIRECTORY) + "/" + entry.scene);
+  if (refs::sha256(now.job.text) != entry.export_sha256) return "the scene is exported to another text than then";
+  const Image reference = stored.load(entry);
+  const auto c = refs::compare(reference, povray.render(now.job).image, tolerance);
+  if (c.agrees()) return {};
+  return std::to_string(c.pixels_over) + " pixels differ from POV-Ray's, by up to " + std::to_string(c.max_error);
+}
+
+int check() {
+  const refs::StoredReferences stored(refs::StoredReferences::default_directory());
+  const refs::Povray povray;
+  const std::string version = povray.version();
+  std::size_t failures = 0;
+  for (const refs::StoredReference& entry : stored.all()) {
+    std::string complaint;
+    try {
+      complaint = complaint_about(stored, entry, povray);
+    } catch (const std::exception& error) {
+      complaint = error.what();
+    }
+    const std::string by = entry.version == version ? "" : " (stored by POV-Ray " + entry.version + ")";
+    std::printf("%-44s %s%s\n", entry.scene.c_str(), complaint.empty() ? "holds" : complaint.c_str(), by.c_str());
+    std::fflush(stdout);
+    failures += complaint.empty() ? 0 : 1;
+  }
+  std::printf("%zu stored reference images against POV-Ray %s: %zu hold, %zu do not\n", stored.all().size(),
+              version.c_str(), stored.all().size() - failures, failures);
+  if (stored.all().empty()) return exit_trouble;
+  return failures == 0 ? exit_agrees : exit_differs;
+}
+
+int update(const std::vector<std::string>& scenes) {
+  namespace fs = std::filesystem;
+  refs::StoredReferences stored(refs::StoredReferences::default_directory());
+  const refs::Povray povray;
+  const std::string version = povray.version();
+  for (const std::string& path : scenes) {
+    const Exported now = exported(path);
+    const refs::PovrayPicture picture = povray.render(now.job);
+    if (picture.precision != "float32" || !picture.warnings.empty()) {
+      throw refs::PovrayError(path + ": not stored, POV-Ray warns: " + picture.warnings);
+    }
+    refs::StoredReference entry;
+    entry.scene = fs::relative(path, PLUMB_SOURCE_DIRECTORY).string();
+    entry.image = fs::path(path).stem().string() + ".exr";
+    entry.width = now.job.width;
+    entry.height = now.job.height;
+    entry.export_sha256 = refs::sha256(now.job.text);
+    entry.renderer = "povray";
+    entry.version = version;
+    entry.command = now.command;
+    stored.store(entry, picture.image);
+    std::printf("%s\n", entry.image.c_str());
+  }
+  return exit_agrees;
+}
+
+}  // namespace
+
+Command add_references(CLI::App& plumb) {
+  CLI::App* app = plumb.add_subcommand("references", "Check or renew the stored reference images.");
+  auto options = std::make_shared<Options>();
+  auto* check_flag = app->add_flag("--check", options->check, "render all of them again with POV-Ray and compare");
+  app->add_option("--update", options->update, "scenes whose reference images POV-Ray is to make anew")
+      ->type_name("SCENE")
+      ->expected(-1)
+      ->excludes(check_flag);
+  app->require_option(1);
+  app->footer("Example: plumb references --check\nExit codes: 0 all hold, 1 some do not, 2 trouble.");
+  return {app, [options] { return options->check ? check() : update(options->update); }};
+}
+
+}  // namespace plumb::cli

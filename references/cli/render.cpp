@@ -1,0 +1,75 @@
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+#include "references/cli/commands.hpp"
+#include "references/cli/options.hpp"
+#include "references/cli/progress.hpp"
+#include "tracer/image/io.hpp"
+#include "tracer/scene/reader.hpp"
+#include "tracer/textbook/render.hpp"
+
+namespace plumb::cli {
+namespace {
+
+struct Options {
+  std::string scene;
+  std::string image;
+  std::string encode;
+  int threads = 0;
+  SceneOptions common;
+};
+
+Encoding encoding_of(const Options& options, const std::string& path) {
+  if (options.encode.empty()) return default_encoding(path);
+  if (options.encode == "srgb") return Encoding::srgb;
+  return options.encode == "course" ? Encoding::course : Encoding::linear;
+}
+
+int render(const Options& options) {
+  const Scene scene = load_scene(options.scene, dialect_of(options.common), warn);
+  const View view = view_of(scene, options.common);
+  // A scene never chooses the directory it is written to.
+  const std::string path =
+      options.image.empty() ? std::filesystem::path(scene.renders.front().file).filename().string() : options.image;
+  const Encoding encoding = encoding_of(options, path);
+  if (const auto complaint = complaint_about(path, encoding)) {
+    throw std::invalid_argument(*complaint + (options.image.empty() ? "; or name the image with -o" : ""));
+  }
+  textbook::RenderJob job;
+  job.width = view.size.width;
+  job.height = view.size.height;
+  job.options = render_options_of(options.common);
+  job.real = real_of(options.common);
+  job.threads = options.threads;
+  Progress progress("rendering " + options.scene);
+  job.progress = [&](double fraction) { progress.show(fraction); };
+  const Image image = textbook::render(scene, view.camera, job);
+  progress.clear();
+  write_image(path, image, encoding);
+  if (options.image.empty()) std::printf("%s\n", path.c_str());
+  return exit_agrees;
+}
+
+}  // namespace
+
+Command add_render(CLI::App& plumb) {
+  CLI::App* app = plumb.add_subcommand("render", "Render a scene to an image.");
+  auto options = std::make_shared<Options>();
+  app->add_option("SCENE", options->scene, "scene file")->required();
+  app->add_option("-o,--output", options->image,
+                  "image: .exr and .pfm (linear floats), .png, .ppm; - is standard output. Default: the file named by "
+                  "the scene's render line, in the current directory")
+      ->type_name("IMAGE");
+  app->add_option("--encode", options->encode,
+                  "linear; srgb (8 bits); course (tone map c/(c+1), then the framework's truncating 8-bit PPM). "
+                  "Default: linear for floats, srgb for png, course for ppm")
+      ->check(CLI::IsMember({"linear", "srgb", "course"}));
+  app->add_option("--threads", options->threads, "threads; default: all")->check(CLI::Range(1, 1024));
+  add_real(*app, options->common);
+  add_scene_options(*app, options->common);
+  app->footer("Example: plumb render tests/scenes/phong.sdf -o phong.png --size 640x480");
+  return {app, [options] { return render(*options); }};
+}
+
+}  // namespace plumb::cli

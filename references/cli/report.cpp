@@ -1,0 +1,96 @@
+#include "references/cli/report.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "tracer/image/write_file.hpp"
+
+namespace plumb::cli {
+namespace {
+
+using references::SceneResult;
+using references::Status;
+
+std::string formatted(const char* format, const auto&... values) {
+  std::string text(static_cast<std::size_t>(std::snprintf(nullptr, 0, format, values...)), '\0');
+  std::snprintf(text.data(), text.size() + 1, format, values...);
+  return text;
+}
+
+/// The first line, with what follows on lines of its own.
+std::string indented(const std::string& message) {
+  std::string text;
+  for (const char c : message) {
+    text += c;
+    if (c == '\n') text += "      ";
+  }
+  return text;
+}
+
+Json scene_json(const SceneResult& r) {
+  Json json{{"scene", r.scene}, {"status", to_string(r.status)}, {"message", r.message},
+            {"width", r.width}, {"height", r.height}};
+  json.update(plumb::cli::to_json(r.comparison));
+  json["ties"] = {{"pixels", r.ties.proven}, {"shapes", r.ties.shapes}};
+  json["seconds"] = {{"ours", r.seconds_ours}, {"reference", r.seconds_reference}};
+  json["cached"] = r.cached;
+  return json;
+}
+
+}  // namespace
+
+Json to_json(const references::Comparison& c) {
+  return {{"max_error", c.max_error},
+          {"mean_error", c.mean_error},
+          {"rms_error", c.rms_error},
+          {"pixels_over", c.pixels_over},
+          {"non_finite", c.non_finite},
+          {"worst", {{"x", c.worst.x}, {"y", c.worst.y}, {"ours", c.worst.test}, {"reference", c.worst.reference}}}};
+}
+
+Json to_json(const references::VerifyReport& report) {
+  Json scenes = Json::array();
+  for (const SceneResult& result : report.scenes) scenes.push_back(scene_json(result));
+  return {{"tool", "plumb"},
+          {"version", PLUMB_VERSION},
+          {"reference", {{"renderer", "povray"}, {"version", report.reference_version}}},
+          {"notice", report.notice},
+          {"scenes", scenes}};
+}
+
+void write_json(const std::string& path, const Json& json) {
+  write_file(path, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+std::string table_head() {
+  return formatted("%-34s %10s %10s %8s %6s  %s", "scene", "size", "max error", "over", "ties", "result");
+}
+
+std::string table_row(const SceneResult& r) {
+  constexpr std::size_t width = 34;
+  const std::string name = r.scene.size() <= width ? r.scene : "..." + r.scene.substr(r.scene.size() - width + 3);
+  std::string row = formatted("%-34s ", name.c_str());
+  if (r.status == Status::error) {
+    row += formatted("%10s %10s %8s %6s  ", "-", "-", "-", "-");
+  } else {
+    const std::string size = std::to_string(r.width) + "x" + std::to_string(r.height);
+    row += formatted("%10s %10.2g %8zu %6zu  ", size.c_str(), r.comparison.max_error, r.comparison.pixels_over,
+                     r.ties.proven);
+  }
+  row += std::string(to_string(r.status)) + (r.cached ? " (cached)" : "");
+  if (!r.message.empty()) row += "\n      " + indented(r.message);
+  return row;
+}
+
+std::string outcome(const references::VerifyReport& report) {
+  const auto count = [&](Status status) {
+    return std::count_if(report.scenes.begin(), report.scenes.end(),
+                         [&](const SceneResult& s) { return s.status == status; });
+  };
+  const auto total = report.scenes.size();
+  return formatted("%zu scene%s against POV-Ray %s: %td agree, %td differ, %td in trouble", total,
+                   total == 1 ? "" : "s", report.reference_version.c_str(), count(Status::agree),
+                   count(Status::differ), count(Status::error));
+}
+
+}  // namespace plumb::cli

@@ -1,0 +1,27 @@
+// Results as JSON and as lines of a table.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "references/verify.hpp"
+
+namespace plumb::cli {
+
+using Json = nlohmann::ordered_json;
+
+/// max_error, mean_error, rms_error, pixels_over, non_finite, worst
+Json to_json(const references::Comparison& comparison);
+
+Json to_json(const references::VerifyReport& report);
+
+/// Pretty-printed, to a file or (`-`) to standard output.
+void write_json(const std::string& path, const Json& json);
+
+std::string table_head();
+std::string table_row(const references::SceneResult& result);
+
+/// E.g. "20 scenes: 19 agree, 1 differs".
+std::string outcome(const references::VerifyReport& report);
+
+}  // namespace plumb::cli

@@ -1,0 +1,82 @@
+#include "references/verify.hpp"
+
+#include <cstdio>
+#include <memory>
+
+#include "references/cli/commands.hpp"
+#include "references/cli/options.hpp"
+#include "references/cli/progress.hpp"
+#include "references/cli/report.hpp"
+
+namespace plumb::cli {
+namespace {
+
+struct Options {
+  std::vector<std::string> scenes;
+  std::string json;
+  double tolerance = 1e-6;
+  bool stored = false;
+  int jobs = 0;
+  SceneOptions common;
+};
+
+references::VerifyOptions verify_options(const Options& options) {
+  references::VerifyOptions verify;
+  verify.size = size_of(options.common);
+  verify.camera = options.common.camera;
+  verify.tolerance = options.tolerance;
+  verify.dialect = dialect_of(options.common);
+  verify.render = render_options_of(options.common);
+  verify.real = real_of(options.common);
+  verify.stored = options.stored;
+  verify.jobs = options.jobs;
+  return verify;
+}
+
+int run_verify(const Options& options) {
+  const bool table = options.json != "-";
+  std::size_t done = 0;
+  Progress progress("verifying");
+  if (table) std::printf("%s\n", table_head().c_str());
+  const auto report = references::verify(options.scenes, verify_options(options), [&](const auto& result) {
+    progress.clear();
+    if (table) {
+      std::printf("%s\n", table_row(result).c_str());
+      std::fflush(stdout);
+    }
+    progress.show(static_cast<double>(++done) / static_cast<double>(options.scenes.size()));
+  });
+  progress.clear();
+  if (!report.notice.empty()) warn(report.notice);
+  if (!options.json.empty()) write_json(options.json, to_json(report));
+  if (table) std::printf("%s\n", outcome(report).c_str());
+  return report.exit_code();
+}
+
+}  // namespace
+
+Command add_verify(CLI::App& plumb) {
+  CLI::App* app = plumb.add_subcommand(
+      "verify", "Render scenes, have POV-Ray render the equivalent export, and compare every pixel.");
+  auto options = std::make_shared<Options>();
+  app->add_option("SCENE", options->scenes, "scene files")->required()->expected(-1);
+  app->add_option("--tolerance", options->tolerance,
+                  "largest error of a linear component, relative above 1, that agrees")
+      ->type_name("T")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  app->add_flag("--stored", options->stored, "compare with the stored reference images; start no POV-Ray");
+  app->add_option("--jobs", options->jobs, "scenes at once; default: as many as keep the machine busy")
+      ->type_name("N")
+      ->check(CLI::Range(1, 256));
+  app->add_option("--json", options->json, "write the results as JSON; - is standard output")->type_name("FILE");
+  add_real(*app, options->common);
+  add_scene_options(*app, options->common);
+  app->footer(
+      "Example: plumb verify tests/scenes/*.sdf --json result.json\n"
+      "POV-Ray's pictures are kept in $PLUMB_CACHE (default ~/.cache/plumb).\n"
+      "Exit codes: 0 all agree, 1 some differ, 2 trouble.");
+  return {app, [options] { return run_verify(*options); }};
+}
+
+}  // namespace plumb::cli

@@ -1,0 +1,50 @@
+// How far two pictures are apart.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "tracer/image/image.hpp"
+
+namespace plumb::references {
+
+struct PixelPair {
+  int x = 0;
+  int y = 0;
+  std::vector<float> test;
+  std::vector<float> reference;
+};
+
+/// Errors are absolute differences of linear components. A pixel is over the tolerance when a component differs
+/// by more than tolerance * max(1, |reference|): relative above 1, because float32 carries 24 bits and values
+/// above 8 are not even spaced as finely as 1e-6. A pixel with a component that is not finite, on either side, is
+/// counted first and apart: it is always over, and enters no mean.
+struct Comparison {
+  std::size_t pixels = 0;
+  std::size_t non_finite = 0;   ///< pixels
+  std::size_t pixels_over = 0;  ///< non-finite ones included
+  double max_error = 0;
+  double mean_error = 0;        ///< over all finite components
+  double rms_error = 0;
+  PixelPair worst;              ///< farthest beyond its tolerance; the first non-finite one if there is any
+  bool agrees() const { return pixels_over == 0; }
+};
+
+/// Pictures of one size and channel count. Throws std::invalid_argument otherwise, saying what differs, and for a
+/// tolerance that is negative or not finite.
+Comparison compare(const Image& reference, const Image& test, double tolerance);
+Comparison compare(int width, int height, int channels, const std::vector<float>& reference,
+                   const std::vector<float>& test, double tolerance);
+
+/// Places of the pixels that are over, row by row.
+struct PixelPlace {
+  int x;
+  int y;
+};
+std::vector<PixelPlace> pixels_over(const Image& reference, const Image& test, double tolerance);
+
+/// Whether one pixel of three components is within the tolerance of the reference.
+bool is_within(const float* reference, const float* test, double tolerance);
+
+}  // namespace plumb::references

@@ -1,0 +1,139 @@
+#include "references/povray.hpp"
+
+#include <unistd.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <utility>
+
+#include "references/povray_state.hpp"
+#include "references/process.hpp"
+#include "tracer/image/io.hpp"
+#include "tracer/image/write_file.hpp"
+
+namespace plumb::references {
+namespace {
+
+std::string read_all(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::string line;
+  for (const char c : text) {
+    if (c == '\n' || c == '\r') {
+      if (!line.empty()) lines.push_back(std::exchange(line, {}));
+    } else {
+      line += c;
+    }
+  }
+  if (!line.empty()) lines.push_back(line);
+  return lines;
+}
+
+/// `File 'in.pov' line 12: Parse Error: ...` gets that line of the SDL beside it.
+std::string with_sdl_line(const std::string& message, const std::string& sdl) {
+  const std::size_t at = message.find(" line ");
+  if (message.find("File '") == std::string::npos || at == std::string::npos) return message;
+  const long wanted = std::strtol(message.c_str() + at + 6, nullptr, 10);
+  std::istringstream stream(sdl);
+  std::string line;
+  for (long number = 1; std::getline(stream, line); ++number) {
+    if (number == wanted) return message + " | " + line.substr(0, 120);
+  }
+  return message;
+}
+
+std::string lines_with(const std::string& output, std::initializer_list<const char*> words, const std::string& sdl) {
+  std::string found;
+  for (const std::string& line : lines_of(output)) {
+    for (const char* word : words) {
+      if (line.find(word) == std::string::npos) continue;
+      found += (found.empty() ? "" : "\n") + with_sdl_line(line, sdl);
+      break;
+    }
+  }
+  return found;
+}
+
+std::string why_it_failed(const ProcessResult& result, const PovrayJob& job) {
+  if (result.timed_out) return "POV-Ray took longer than " + std::to_string(static_cast<int>(job.time_limit_seconds)) + " s";
+  const std::string said = lines_with(result.output, {"rror"}, job.text);
+  if (result.signal != 0) return "POV-Ray ended by signal " + std::to_string(result.signal) + (said.empty() ? "" : ": " + said);
+  if (result.exit_code == 0) return {};
+  return "POV-Ray ended with " + std::to_string(result.exit_code) + ": " + (said.empty() ? "it gave no reason" : said);
+}
+
+/// The checked fall-back: 16 bits, clamped at 1.
+Image read_png16(const std::string& path, const PovrayJob& job) {
+  const ImageFile file = read_image(path);
+  if (file.width != job.width || file.height != job.height || file.channels != 3) {
+    throw PovrayError("POV-Ray's PNG has another size or channel count than asked for");
+  }
+  Image image(file.width, file.height);
+  image.rgb = file.values;
+  return image;
+}
+
+}  // namespace
+
+std::vector<std::string> povray_arguments(const PovrayJob& job) {
+  std::vector<std::string> arguments{"+Iin.pov", "+Oout.png", "+W" + std::to_string(job.width),
+                                     "+H" + std::to_string(job.height), "+FN16", "-D", "-A", "File_Gamma=1.0",
+                                     "+WT2", "-GD", "-GR"};
+  if (job.without_bounding) arguments.emplace_back("-MB");
+  return arguments;
+}
+
+Povray::Povray() : program_(find_program("povray")) {
+  if (program_.empty()) throw PovrayError("povray is not on PATH; install it (apt-get install povray) or use --stored");
+}
+
+std::string Povray::version() const {
+  const TemporaryDirectory directory;
+  ProcessLimits limits;
+  limits.seconds = 60;
+  const ProcessResult result = run_process({program_, "--version"}, directory.path(), limits);
+  constexpr std::string_view before = "POV-Ray ";
+  const std::size_t at = result.output.find(before);
+  if (at == std::string::npos) throw PovrayError(program_ + " does not tell its version; is it POV-Ray?");
+  const std::size_t begin = at + before.size();
+  return result.output.substr(begin, result.output.find_first_of(" \r\n", begin) - begin);
+}
+
+PovrayPicture Povray::render(const PovrayJob& job) const {
+  const TemporaryDirectory directory;
+  const std::string state = directory.path() + "/t.state";
+  write_file(directory.path() + "/in.pov", job.text);
+  // POV-Ray unlinks its state file at the end; as a symbolic link only the link goes.
+  if (symlink("t.state", (directory.path() + "/out.pov-state").c_str()) != 0) {
+    throw PovrayError(directory.path() + ": no symbolic link can be made there");
+  }
+  ProcessLimits limits;
+  limits.seconds = job.time_limit_seconds;
+  std::vector<std::string> command = povray_arguments(job);
+  command.insert(command.begin(), program_);
+  const ProcessResult result = run_process(command, directory.path(), limits);
+  const std::string failure = why_it_failed(result, job);
+  if (!failure.empty()) throw PovrayError(failure);
+
+  PovrayPicture picture;
+  picture.cpu_seconds = result.cpu_seconds;
+  picture.warnings = lines_with(result.output, {"Warning"}, job.text);
+  try {
+    picture.image = read_povray_state(read_all(state), job.width, job.height);
+    picture.precision = "float32";
+  } catch (const std::runtime_error& error) {
+    picture.image = read_png16(directory.path() + "/out.png", job);
+    picture.precision = "png16";
+    picture.warnings += (picture.warnings.empty() ? "" : "\n") + std::string(error.what()) +
+                        ": 16 bits of its PNG are used, clamped at 1 and off by up to 7.7e-6";
+  }
+  return picture;
+}
+
+}  // namespace plumb::references

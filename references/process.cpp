@@ -1,0 +1,134 @@
+#include "references/process.hpp"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/syscall.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+
+namespace plumb::references {
+namespace {
+
+constexpr std::size_t longest_output = std::size_t{1} << 20;
+constexpr const char* output_name = "output.txt";
+
+std::vector<char*> pointers(const std::vector<std::string>& strings) {
+  std::vector<char*> result;
+  for (const std::string& s : strings) result.push_back(const_cast<char*>(s.c_str()));  // execve's signature
+  result.push_back(nullptr);
+  return result;
+}
+
+void limit(int resource, std::size_t amount) {
+  const rlimit both{amount, amount};
+  setrlimit(static_cast<__rlimit_resource>(resource), &both);
+}
+
+/// Between fork and exec: only calls that are safe there.
+[[noreturn]] void become(char* const* arguments, char* const* environment, const char* directory, int output,
+                         const ProcessLimits& limits) {
+  constexpr int cannot_run = 127;
+  setpgid(0, 0);
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  const int null = open("/dev/null", O_RDONLY);
+  if (chdir(directory) != 0 || dup2(null, 0) < 0 || dup2(output, 1) < 0 || dup2(output, 2) < 0) _exit(cannot_run);
+  close_range(3, ~0U, 0);
+  limit(RLIMIT_AS, limits.memory_bytes);
+  limit(RLIMIT_FSIZE, limits.file_bytes);
+  limit(RLIMIT_CORE, 0);
+  signal(SIGXFSZ, SIG_DFL);
+  execve(arguments[0], arguments, environment);
+  _exit(cannot_run);
+}
+
+double seconds(const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec); }
+
+/// Waits for the end, or kills the group when the time is over.
+ProcessResult wait_for(pid_t child, double limit_seconds) {
+  ProcessResult result;
+  // glibc 2.36 declares pidfd_open without C linkage.
+  const int handle = static_cast<int>(syscall(SYS_pidfd_open, child, 0));
+  pollfd waiting{handle, POLLIN, 0};
+  int ready = 0;
+  do {
+    ready = poll(&waiting, 1, static_cast<int>(limit_seconds * 1000));
+  } while (ready < 0 && errno == EINTR);
+  close(handle);
+  if (ready == 0) {
+    result.timed_out = true;
+    kill(-child, SIGKILL);
+  }
+  int status = 0;
+  rusage usage{};
+  while (wait4(child, &status, 0, &usage) < 0 && errno == EINTR) {
+  }
+  kill(-child, SIGKILL);  // whatever it left behind
+  result.cpu_seconds = seconds(usage.ru_utime) + seconds(usage.ru_stime);
+  if (WIFSIGNALED(status)) result.signal = WTERMSIG(status);
+  if (WIFEXITED(status)) result.exit_code = WEXITSTATUS(status);
+  return result;
+}
+
+std::string read_start_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string text(longest_output, '\0');
+  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(file.gcount()));
+  return text;
+}
+
+}  // namespace
+
+TemporaryDirectory::TemporaryDirectory() {
+  std::string pattern = (std::filesystem::temp_directory_path() / "plumb-XXXXXX").string();
+  if (mkdtemp(pattern.data()) == nullptr) {
+    throw std::runtime_error(pattern + ": no temporary directory: " + std::strerror(errno));
+  }
+  path_ = pattern;
+}
+
+TemporaryDirectory::~TemporaryDirectory() {
+  std::error_code ignored;
+  std::filesystem::remove_all(path_, ignored);
+}
+
+ProcessResult run_process(const std::vector<std::string>& command, const std::string& directory,
+                          const ProcessLimits& limits) {
+  const std::vector<char*> arguments = pointers(command);
+  const std::vector<std::string> variables{"HOME=" + directory, "PATH=/usr/bin:/bin", "LC_ALL=C", "TMPDIR=" + directory};
+  const std::vector<char*> environment = pointers(variables);
+  const std::string output_path = directory + "/" + output_name;
+  const int output = open(output_path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
+  if (output < 0) throw std::runtime_error(output_path + ": cannot be written: " + std::strerror(errno));
+  const pid_t child = fork();
+  if (child == 0) become(arguments.data(), environment.data(), directory.c_str(), output, limits);
+  close(output);
+  if (child < 0) throw std::runtime_error(command.front() + ": cannot be started: " + std::strerror(errno));
+  ProcessResult result = wait_for(child, limits.seconds);
+  result.output = read_start_of(output_path);
+  return result;
+}
+
+std::string find_program(const std::string& name) {
+  const char* const path = std::getenv("PATH");
+  std::string rest = path == nullptr ? "/usr/bin:/bin" : path;
+  while (!rest.empty()) {
+    const std::size_t end = rest.find(':');
+    const std::string candidate = std::filesystem::absolute(rest.substr(0, end) + "/" + name).string();
+    if (access(candidate.c_str(), X_OK) == 0 && std::filesystem::is_regular_file(candidate)) return candidate;
+    rest = end == std::string::npos ? "" : rest.substr(end + 1);
+  }
+  return {};
+}
+
+}  // namespace plumb::references

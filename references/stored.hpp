@@ -1,0 +1,46 @@
+// Reference images that are kept in the repository, each with where it came from.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tracer/image/image.hpp"
+
+namespace plumb::references {
+
+struct StoredReference {
+  std::string scene;          ///< path of the scene, from the top of the repository
+  std::string image;          ///< file name in the directory of stored images
+  int width = 0;
+  int height = 0;
+  std::string export_sha256;  ///< of the exported text; finds the image again
+  std::string pixels_sha256;  ///< of the float32 values
+  std::string renderer;       ///< "povray"
+  std::string version;
+  std::string command;        ///< by which the renderer made it from the exported text
+};
+
+class StoredReferences {
+ public:
+  /// Reads provenance.json of the directory; an absent one is empty. Throws std::runtime_error when it is damaged.
+  explicit StoredReferences(std::string directory);
+
+  /// references/images of the repository that the program was built in, or $PLUMB_REFERENCES.
+  static std::string default_directory();
+
+  const std::vector<StoredReference>& all() const { return entries_; }
+  std::optional<StoredReference> find(const std::string& export_text, int width, int height) const;
+
+  /// The pixels, checked against their hash. Throws std::runtime_error.
+  Image load(const StoredReference& entry) const;
+
+  /// Writes image and entry, in place of one for the same scene.
+  void store(StoredReference entry, const Image& image);
+
+ private:
+  std::string directory_;
+  std::vector<StoredReference> entries_;
+};
+
+}  // namespace plumb::references

@@ -1,0 +1,205 @@
+#include "references/verify.hpp"
+
+#include <time.h>
+
+#include <algorithm>
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <thread>
+
+#include "exporters/povray.hpp"
+#include "references/cache.hpp"
+#include "references/povray.hpp"
+#include "references/stored.hpp"
+#include "tracer/scene/reader.hpp"
+
+namespace plumb::references {
+namespace {
+
+/// POV-Ray mostly waits (0.65 s a run), so more runs than cores at once.
+constexpr int runs_per_core = 4;
+
+double cpu_seconds_of_thread() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// Where reference pictures come from: POV-Ray through the cache, or the stored images.
+class Source {
+ public:
+  explicit Source(const VerifyOptions& options) : options_(options) {
+    if (options.stored) {
+      use_stored("--stored");
+      return;
+    }
+    try {
+      povray_ = std::make_unique<Povray>();
+      version_ = cache_.version_of(*povray_);
+    } catch (const PovrayError& error) {
+      use_stored(error.what());
+    }
+  }
+
+  const std::string& version() const { return version_; }
+  const std::string& notice() const { return notice_; }
+
+  /// Sets the times and whether it was cached; warnings of the renderer go to the message.
+  Image picture(const PovrayJob& job, SceneResult& result) const {
+    if (stored_) return stored_picture(job, result);
+    auto found = cache_.find(job, version_);
+    result.cached = found.has_value();
+    if (!found) {
+      found = povray_->render(job);
+      cache_.store(job, version_, *found);
+      result.seconds_reference = found->cpu_seconds;
+    }
+    if (!found->warnings.empty()) result.message = "POV-Ray warns: " + found->warnings;
+    return std::move(found->image);
+  }
+
+ private:
+  void use_stored(const std::string& why) {
+    stored_ = std::make_unique<StoredReferences>(StoredReferences::default_directory());
+    version_ = stored_->all().empty() ? "" : stored_->all().front().version;
+    notice_ = "NO POV-RAY IS RUN: stored reference images are used (" + why + ")";
+  }
+
+  Image stored_picture(const PovrayJob& job, SceneResult& result) const {
+    const auto entry = stored_->find(job.text, job.width, job.height);
+    if (!entry) {
+      throw PovrayError("no stored reference image for this export at " + std::to_string(job.width) + " x " +
+                        std::to_string(job.height) + "; run with POV-Ray");
+    }
+    result.cached = true;
+    return stored_->load(*entry);
+  }
+
+  const VerifyOptions& options_;
+  Cache cache_;
+  std::unique_ptr<Povray> povray_;
+  std::unique_ptr<StoredReferences> stored_;
+  std::string version_;
+  std::string notice_;
+};
+
+void judge(const Scene& scene, const Camera& camera, const VerifyOptions& options, const Image& ours,
+           const Image& reference, SceneResult& result) {
+  result.comparison = compare(reference, ours, options.tolerance);
+  const Comparison& c = result.comparison;
+  if (c.pixels_over > 0 && c.non_finite == 0) {
+    result.ties = prove_ties(scene, camera, options.render, reference,
+                             pixels_over(reference, ours, options.tolerance), options.tolerance);
+  }
+  result.status = c.pixels_over == result.ties.proven ? Status::agree : Status::differ;
+  std::string verdict;
+  if (c.non_finite > 0) verdict = std::to_string(c.non_finite) + " pixels are not finite";
+  if (result.ties.proven > 0) {
+    verdict = std::to_string(result.ties.proven) + " of " + std::to_string(c.pixels_over) +
+              " pixels over are proven ties: coincident";
+    for (const std::string& name : result.ties.shapes) verdict += " '" + name + "'";
+  }
+  if (!verdict.empty()) result.message = verdict + (result.message.empty() ? "" : "; " + result.message);
+}
+
+void verify_scene(const VerifyOptions& options, const Source& source, int threads, SceneResult& result) {
+  const Scene scene = load_scene(result.scene, options.dialect);
+  const RenderRequest& request = scene.renders.front();
+  result.width = options.size ? options.size->width : request.width;
+  result.height = options.size ? options.size->height : request.height;
+  const Camera& camera = scene.camera(options.camera.empty() ? request.camera : options.camera);
+  const auto exported = exporters::export_povray(scene, camera, result.width, result.height, options.render);
+  const Image reference =
+      source.picture({exported.text, result.width, result.height, exported.needs_flat_objects, options.time_limit_seconds},
+                     result);
+  textbook::RenderJob job;
+  job.width = result.width;
+  job.height = result.height;
+  job.options = options.render;
+  job.real = options.real;
+  job.threads = threads;
+  const double before = cpu_seconds_of_thread();
+  const Image ours = textbook::render(scene, camera, job);
+  result.seconds_ours = cpu_seconds_of_thread() - before;
+  judge(scene, camera, options, ours, reference, result);
+}
+
+/// Reports results in order, whatever order they come in.
+class InOrder {
+ public:
+  InOrder(std::vector<SceneResult>& results, const std::function<void(const SceneResult&)>& done)
+      : results_(results), done_(done), is_ready_(results.size(), false) {}
+
+  void ready(std::size_t index) {
+    const std::lock_guard lock(mutex_);
+    is_ready_[index] = true;
+    for (; next_ < results_.size() && is_ready_[next_]; ++next_) {
+      if (done_) done_(results_[next_]);
+    }
+  }
+
+ private:
+  std::vector<SceneResult>& results_;
+  const std::function<void(const SceneResult&)>& done_;
+  std::vector<bool> is_ready_;
+  std::size_t next_ = 0;
+  std::mutex mutex_;
+};
+
+}  // namespace
+
+const char* to_string(Status status) {
+  switch (status) {
+    case Status::agree:
+      return "agree";
+    case Status::differ:
+      return "differ";
+    case Status::error:
+      break;
+  }
+  return "error";
+}
+
+int VerifyReport::exit_code() const {
+  const auto has = [&](Status status) {
+    return std::any_of(scenes.begin(), scenes.end(), [&](const SceneResult& s) { return s.status == status; });
+  };
+  if (has(Status::error)) return 2;
+  return has(Status::differ) ? 1 : 0;
+}
+
+VerifyReport verify(const std::vector<std::string>& scenes, const VerifyOptions& options,
+                    const std::function<void(const SceneResult&)>& done) {
+  const Source source(options);
+  VerifyReport report;
+  report.reference_version = source.version();
+  report.notice = source.notice();
+  for (const std::string& scene : scenes) report.scenes.emplace_back().scene = scene;
+
+  const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  const int wanted = options.jobs > 0 ? options.jobs : cores * runs_per_core;
+  const int jobs = std::clamp(wanted, 1, static_cast<int>(std::max<std::size_t>(1, scenes.size())));
+  const int threads = jobs >= cores ? 1 : cores;
+  InOrder in_order(report.scenes, done);
+  std::atomic<std::size_t> next{0};
+  const auto work = [&] {
+    for (std::size_t i = next++; i < report.scenes.size(); i = next++) {
+      SceneResult& result = report.scenes[i];
+      try {
+        verify_scene(options, source, threads, result);
+      } catch (const std::exception& error) {
+        result.status = Status::error;
+        result.message = error.what();
+      }
+      in_order.ready(i);
+    }
+  };
+  std::vector<std::jthread> helpers;
+  for (int i = 1; i < jobs; ++i) helpers.emplace_back(work);
+  work();
+  helpers.clear();
+  return report;
+}
+
+}  // namespace plumb::references

@@ -1,0 +1,65 @@
+// Renders a scene, has the reference renderer render its export, and compares every pixel.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "references/comparison.hpp"
+#include "references/ties.hpp"
+#include "tracer/scene/dialect.hpp"
+#include "tracer/scene/render_options.hpp"
+#include "tracer/scene/scene.hpp"
+#include "tracer/textbook/render.hpp"
+
+namespace plumb::references {
+
+enum class Status { agree, differ, error };
+
+const char* to_string(Status status);
+
+struct Size {
+  int width;
+  int height;
+};
+
+struct VerifyOptions {
+  std::optional<Size> size;           ///< instead of the scene's own
+  std::string camera;                 ///< instead of the scene's own, when not empty
+  double tolerance = 1e-6;
+  Dialect dialect;
+  RenderOptions render;
+  textbook::RealType real = textbook::RealType::float64;
+  bool stored = false;                ///< compare with stored images, start no POV-Ray
+  int jobs = 0;                       ///< scenes at once; 0: as many as keep the machine busy
+  double time_limit_seconds = 600;    ///< for one run of POV-Ray
+};
+
+struct SceneResult {
+  std::string scene;
+  Status status = Status::error;
+  std::string message;
+  int width = 0;
+  int height = 0;
+  Comparison comparison;
+  TieReport ties;
+  double seconds_ours = 0;        ///< of CPU time
+  double seconds_reference = 0;   ///< of CPU time, when it was rendered
+  bool cached = false;
+};
+
+struct VerifyReport {
+  std::string reference_version;
+  std::string notice;                 ///< to be said loudly: stored images are used because ...
+  std::vector<SceneResult> scenes;    ///< in the order asked for
+
+  /// 0 all agree, 1 some differ, 2 trouble.
+  int exit_code() const;
+};
+
+/// One bad scene never stops the others. `done` is called in the order of the scenes, from one thread at a time.
+VerifyReport verify(const std::vector<std::string>& scenes, const VerifyOptions& options,
+                    const std::function<void(const SceneResult&)>& done);
+
+}  // namespace plumb::references

@@ -1,0 +1,37 @@
+// Slide "Spiegelung, Brechung": the reflected and the refracted ray.
+#pragma once
+
+#include <cmath>
+#include <optional>
+
+#include "tracer/formulas/real.hpp"
+
+namespace plumb::formulas {
+
+/// Slide "Spiegelung": r = d - 2 (d.n) n; as long as d. n is a unit vector.
+template <class Real>
+Vec3<Real> mirror_direction(const Vec3<Real>& d, const Vec3<Real>& n) {
+  return d - 2 * glm::dot(d, n) * n;
+}
+
+/// Slide "Brechung", Snell's law: sin t = ratio sin i with ratio = eta of the side the ray comes from
+/// over eta of the side it goes to. d and n are unit vectors with d.n <= 0; the result is a unit
+/// vector, or no value at total internal reflection. (Heckbert, "Writing a Ray Tracer", in
+/// Glassner, An Introduction to Ray Tracing, 1989, section 5.)
+template <class Real>
+std::optional<Vec3<Real>> refracted_direction(const Vec3<Real>& d, const Vec3<Real>& n, Real ratio) {
+  using std::sqrt;
+  const Real cos_i = -glm::dot(d, n);
+  const Real cos_t_squared = 1 - ratio * ratio * (1 - cos_i * cos_i);
+  if (cos_t_squared < 0) return std::nullopt;
+  return ratio * d + (ratio * cos_i - sqrt(cos_t_squared)) * n;
+}
+
+/// Decision: colour = local + kr R + kt T, additive, no Fresnel term.
+template <class Real>
+Rgb<Real> combined_colour(const Rgb<Real>& local, const Rgb<Real>& kr, const Rgb<Real>& mirrored,
+                          const Rgb<Real>& kt, const Rgb<Real>& refracted) {
+  return local + kr * mirrored + kt * refracted;
+}
+
+}  // namespace plumb::formulas

@@ -1,0 +1,44 @@
+// Slide "Kugel": where a ray meets a sphere.
+#pragma once
+
+#include <cmath>
+#include <optional>
+
+#include "tracer/formulas/ray.hpp"
+
+namespace plumb::formulas {
+
+/// Slide "Kugel": the smallest positive root of a t^2 + b t + c = 0 with a = d.d,
+/// b = 2 d.(p0 - m), c = (p0 - m)^2 - r^2; no value for a miss. A tangent has one double root.
+/// When the ray starts on this very sphere, one root is 0 and c vanishes: the other is -b/a, so
+/// no epsilon is needed to leave the surface.
+/// The roots are taken as q/a and c/q, free of cancellation (Press et al., Numerical Recipes,
+/// 3rd ed. 2007, section 5.6).
+template <class Real>
+std::optional<Real> intersect_sphere(const Ray<Real>& ray, const Vec3<Real>& center, Real radius,
+                                     bool starts_on_it) {
+  using std::sqrt;
+  const Vec3<Real> offset = ray.origin - center;
+  const Real a = glm::dot(ray.direction, ray.direction);
+  const Real half_b = glm::dot(offset, ray.direction);
+  if (starts_on_it) {
+    if (half_b < 0) return -2 * half_b / a;
+    return std::nullopt;
+  }
+  const Real c = glm::dot(offset, offset) - radius * radius;
+  if (c > 0 && half_b >= 0) return std::nullopt;  // outside and moving away
+  const Real discriminant = half_b * half_b - a * c;
+  if (!(discriminant >= 0)) return std::nullopt;
+  const Real root = sqrt(discriminant);
+  const Real q = root - half_b;  // does not cancel when the ray moves toward the centre
+  const Real t = half_b >= 0 ? -c / (half_b + root) : (c > 0 ? c / q : q / a);
+  return t > 0 ? std::optional<Real>(t) : std::nullopt;
+}
+
+/// Outward normal, not normalised (its length is the radius).
+template <class Real>
+Vec3<Real> sphere_normal(const Vec3<Real>& point, const Vec3<Real>& center) {
+  return point - center;
+}
+
+}  // namespace plumb::formulas

@@ -1,0 +1,129 @@
+#include "tracer/image/io.hpp"
+
+#include <dlfcn.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+#include "tracer/image/oiio_module.hpp"
+#include "tracer/image/write_file.hpp"
+
+namespace plumb {
+namespace {
+
+std::string extension_of(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+bool is_float_format(const std::string& extension) { return extension == ".exr" || extension == ".pfm"; }
+
+bool is_written(const std::string& extension) {
+  return is_float_format(extension) || extension == ".png" || extension == ".ppm";
+}
+
+/// The module beside the program.
+std::string module_path() {
+  return (std::filesystem::read_symlink("/proc/self/exe").parent_path() / oiio::module_name).string();
+}
+
+template <class Function>
+Function symbol(const char* name) {
+  static void* const module = dlopen(module_path().c_str(), RTLD_NOW | RTLD_LOCAL);
+  void* const found = module == nullptr ? nullptr : dlsym(module, name);
+  if (found == nullptr) throw std::runtime_error(std::string("the OpenImageIO module cannot be loaded: ") + dlerror());
+  return reinterpret_cast<Function>(found);
+}
+
+std::vector<float> as_floats(const std::vector<std::uint8_t>& bytes) {
+  std::vector<float> values(bytes.size());
+  std::transform(bytes.begin(), bytes.end(), values.begin(), [](std::uint8_t b) { return static_cast<float>(b) / 255; });
+  return values;
+}
+
+void write_through_oiio(const std::string& path, const Image& image, Encoding encoding) {
+  oiio::Pixels pixels{image.width, image.height, 3, {}};
+  oiio::Depth depth = oiio::Depth::float32;
+  if (encoding == Encoding::linear) {
+    pixels.values = image.rgb;
+    if (!is_float_format(extension_of(path))) depth = oiio::Depth::bits16_linear;
+  } else {
+    pixels.values = as_floats(encode_8_bits(image, encoding));
+    depth = oiio::Depth::bits8;
+  }
+  const std::string aside = path_aside(path);
+  const std::string complaint = symbol<oiio::Write>(oiio::write_symbol)(aside, pixels, depth);
+  if (!complaint.empty()) {
+    ::unlink(aside.c_str());
+    throw std::runtime_error(path + ": cannot be written: " + complaint);
+  }
+  put_in_place(aside, path);
+}
+
+std::string read_bytes(const std::string& path) {
+  struct stat info {};
+  if (stat(path.c_str(), &info) != 0) throw std::runtime_error(path + ": cannot be read: " + std::strerror(errno));
+  if (S_ISDIR(info.st_mode)) throw std::runtime_error(path + ": is a directory, expected an image");
+  std::ifstream file(path, std::ios::binary);
+  std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  if (!file.good() && !file.eof()) throw std::runtime_error(path + ": cannot be read");
+  return bytes;
+}
+
+}  // namespace
+
+Encoding default_encoding(const std::string& path) {
+  const std::string extension = extension_of(path);
+  if (path == "-" || is_float_format(extension)) return Encoding::linear;
+  return extension == ".ppm" ? Encoding::course : Encoding::srgb;
+}
+
+std::optional<std::string> complaint_about(const std::string& path, Encoding encoding) {
+  if (path == "-") return std::nullopt;
+  const std::string extension = extension_of(path);
+  if (!is_written(extension)) {
+    return path + ": found extension '" + extension + "', expected .exr, .pfm, .png or .ppm";
+  }
+  if (is_float_format(extension) && encoding != Encoding::linear) {
+    return path + ": a float image holds linear colours, expected --encode linear (or .png, .ppm)";
+  }
+  return std::nullopt;
+}
+
+void write_image(const std::string& path, const Image& image, Encoding encoding) {
+  if (const auto complaint = complaint_about(path, encoding)) throw std::runtime_error(*complaint);
+  const std::string extension = extension_of(path);
+  if (extension == ".pfm" || (path == "-" && encoding == Encoding::linear)) {
+    write_file(path, to_pfm(image));
+  } else if (extension == ".ppm" || path == "-") {
+    write_file(path, to_ppm(image.width, image.height, encode_8_bits(image, encoding)));
+  } else {
+    write_through_oiio(path, image, encoding);
+  }
+}
+
+ImageFile read_image(const std::string& path) {
+  const std::string extension = extension_of(path);
+  if (extension == ".pfm") return from_pfm(read_bytes(path), path);
+  if (extension == ".ppm") return from_ppm(read_bytes(path), path);
+  struct stat info {};
+  if (stat(path.c_str(), &info) != 0) throw std::runtime_error(path + ": cannot be read: " + std::strerror(errno));
+  if (S_ISDIR(info.st_mode)) throw std::runtime_error(path + ": is a directory, expected an image");
+  oiio::Pixels pixels;
+  const std::string complaint = symbol<oiio::Read>(oiio::read_symbol)(path, pixels);
+  if (!complaint.empty()) throw std::runtime_error(path + ": cannot be read: " + complaint);
+  return {pixels.width, pixels.height, pixels.channels, std::move(pixels.values)};
+}
+
+}  // namespace plumb

@@ -1,0 +1,59 @@
+#include "tracer/image/oiio_module.hpp"
+
+#include <OpenImageIO/imageio.h>
+
+#include <cstddef>
+
+namespace plumb::oiio {
+namespace {
+
+namespace lib = OIIO;
+
+lib::ImageSpec spec_for(const Pixels& pixels, Depth depth) {
+  lib::ImageSpec spec(pixels.width, pixels.height, pixels.channels, lib::TypeDesc::FLOAT);
+  if (depth == Depth::bits16_linear) spec.format = lib::TypeDesc::UINT16;
+  if (depth == Depth::bits8) spec.format = lib::TypeDesc::UINT8;
+  spec.attribute("oiio:ColorSpace", depth == Depth::bits8 ? "sRGB" : "Linear");
+  spec.attribute("compression", "zip");
+  return spec;
+}
+
+}  // namespace
+}  // namespace plumb::oiio
+
+extern "C" {
+
+// The symbols are only ever called through the types in oiio_module.hpp, by the same compiler.
+#pragma GCC diagnostic push
+#ifdef __clang__
+#pragma GCC diagnostic ignored "-Wreturn-type-c-linkage"
+#endif
+
+std::string plumb_oiio_write(const std::string& path, const plumb::oiio::Pixels& pixels, plumb::oiio::Depth depth) {
+  const auto out = plumb::oiio::lib::ImageOutput::create(path);
+  if (!out) return plumb::oiio::lib::geterror();
+  if (!out->open(path, plumb::oiio::spec_for(pixels, depth))) return out->geterror();
+  if (!out->write_image(plumb::oiio::lib::TypeDesc::FLOAT, pixels.values.data())) return out->geterror();
+  if (!out->close()) return out->geterror();
+  return {};
+}
+
+std::string plumb_oiio_read(const std::string& path, plumb::oiio::Pixels& pixels) {
+  const auto in = plumb::oiio::lib::ImageInput::open(path);
+  if (!in) return plumb::oiio::lib::geterror();
+  const auto& spec = in->spec();
+  constexpr double most_values = 4.0 * (1 << 28);
+  if (static_cast<double>(spec.width) * spec.height * spec.nchannels > most_values) return "its size is out of range";
+  pixels.width = spec.width;
+  pixels.height = spec.height;
+  pixels.channels = spec.nchannels;
+  pixels.values.resize(static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height) *
+                       static_cast<std::size_t>(spec.nchannels));
+  if (!in->read_image(0, 0, 0, spec.nchannels, plumb::oiio::lib::TypeDesc::FLOAT, pixels.values.data())) {
+    return in->geterror();
+  }
+  return {};
+}
+
+#pragma GCC diagnostic pop
+}

@@ -1,0 +1,104 @@
+// From files to scenes, and from unreadable files to the dialect that would read them.
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <set>
+#include <sys/stat.h>
+
+#include "tracer/scene/reader.hpp"
+
+namespace plumb {
+namespace {
+
+constexpr std::size_t largest_file = std::size_t{1} << 30;
+constexpr std::size_t most_lines_shown = 5;
+
+struct Candidate {
+  std::string dialect;
+  std::size_t warnings;
+};
+
+/// Parts of a dialect that the findings themselves ask for, joined by commas, and the most numbers after m.
+struct Wanted {
+  std::set<std::string> parts;
+  std::size_t extra_numbers = 0;
+};
+
+Wanted wanted_by(const ReadResult& result, Wanted before) {
+  for (const Finding& finding : result.findings) {
+    if (!finding.remedy.empty()) before.parts.insert(finding.remedy);
+    before.extra_numbers = std::max(before.extra_numbers, finding.extra_numbers);
+  }
+  return before;
+}
+
+std::string join(const std::set<std::string>& parts, const std::string& last) {
+  std::string joined;
+  for (const std::string& part : parts) joined += (joined.empty() ? "" : ",") + part;
+  if (!last.empty()) joined += (joined.empty() ? "" : ",") + last;
+  return joined;
+}
+
+}  // namespace
+
+std::string read_text_file(const std::string& path) {
+  struct stat info {};
+  if (stat(path.c_str(), &info) != 0) throw SceneError(path + ": cannot be read: " + std::strerror(errno));
+  if (S_ISDIR(info.st_mode)) throw SceneError(path + ": is a directory, expected a scene file; name a file in it");
+  if (info.st_size > static_cast<off_t>(largest_file)) throw SceneError(path + ": is larger than 1 GiB");
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw SceneError(path + ": cannot be opened: " + std::strerror(errno));
+  std::string text;
+  std::string piece(std::size_t{1} << 16, '\0');
+  while (file.read(piece.data(), static_cast<std::streamsize>(piece.size())) || file.gcount() > 0) {
+    text.append(piece.data(), static_cast<std::size_t>(file.gcount()));
+    if (text.size() > largest_file) throw SceneError(path + ": is larger than 1 GiB");
+  }
+  if (file.bad()) throw SceneError(path + ": cannot be read: " + std::strerror(errno));
+  return text;
+}
+
+Scene load_scene(const std::string& path, const Dialect& dialect, void (*warn)(const std::string&)) {
+  ReadResult result = read_scene(read_text_file(path), dialect);
+  std::string errors;
+  std::size_t count = 0;
+  for (const Finding& finding : result.findings) {
+    if (finding.severity == Severity::warning) {
+      if (warn != nullptr) warn(to_string(finding, path));
+    } else if (++count <= most_lines_shown) {
+      errors += (errors.empty() ? "" : "\n") + to_string(finding, path);
+    }
+  }
+  if (count > most_lines_shown) {
+    errors += "\n" + path + ": " + std::to_string(count - most_lines_shown) + " more; see plumb lint " + path;
+  }
+  if (count > 0) throw SceneError(errors);
+  return std::move(result.scene);
+}
+
+std::vector<std::string> propose_dialects(std::string_view text) {
+  Wanted wanted;
+  // What one part cures may hide what another must: twice is enough, as no part uncovers more than numbers.
+  for (int round = 0; round < 3; ++round) {
+    const std::string so_far = join(wanted.parts, "");
+    const ReadResult result = read_scene(text, so_far.empty() ? Dialect{} : parse_dialect(so_far));
+    wanted = wanted_by(result, wanted);
+  }
+  std::vector<std::string> layouts = known_material_layouts(wanted.extra_numbers);
+  if (layouts.empty()) layouts.emplace_back();
+  std::vector<Candidate> candidates;
+  for (const std::string& layout : layouts) {
+    const std::string name = join(wanted.parts, layout);
+    if (name.empty()) continue;
+    const ReadResult result = read_scene(text, parse_dialect(name));
+    if (!result.has_errors()) candidates.push_back({name, result.findings.size()});
+  }
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.warnings < b.warnings; });
+  std::vector<std::string> names;
+  for (const Candidate& candidate : candidates) names.push_back(candidate.dialect);
+  return names;
+}
+
+}  // namespace plumb

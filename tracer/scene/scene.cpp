@@ -1,0 +1,36 @@
+#include "tracer/scene/scene.hpp"
+
+#include <stdexcept>
+
+namespace plumb {
+
+std::vector<ShapeId> Scene::roots() const {
+  std::vector<bool> is_child(shapes.size(), false);
+  for (const Shape& shape : shapes) {
+    if (const auto* composite = std::get_if<Composite>(&shape.geometry)) {
+      for (const ShapeId child : composite->children) is_child[child] = true;
+    }
+  }
+  std::vector<ShapeId> found;
+  for (ShapeId id = 0; id < shapes.size(); ++id) {
+    if (!is_child[id]) found.push_back(id);
+  }
+  return found;
+}
+
+const Camera& Scene::camera(const std::string& name) const {
+  std::string known;
+  for (const Camera& candidate : cameras) {
+    if (candidate.name == name) return candidate;
+    known += (known.empty() ? "'" : ", '") + candidate.name + "'";
+  }
+  throw std::invalid_argument("no camera '" + name + "' in the scene; it has " + known);
+}
+
+const MaterialId* material_of(const Shape& shape) {
+  if (const auto* sphere = std::get_if<Sphere>(&shape.geometry)) return &sphere->material;
+  if (const auto* box = std::get_if<Box>(&shape.geometry)) return &box->material;
+  return nullptr;
+}
+
+}  // namespace plumb

@@ -1,0 +1,190 @@
+// Slides "Objekttransformation" and "Composite, DAG": shapes that are met in their own space.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "tracer/textbook/formula_table.hpp"
+
+namespace plumb::textbook {
+
+/// Number of a sphere or box as it stands in the world: its place in a depth-first walk over all paths
+/// through the composites, so a shared child has one number per path.
+using InstanceId = std::uint64_t;
+inline constexpr InstanceId no_instance = std::numeric_limits<InstanceId>::max();
+
+/// The surface a ray starts on, or hits: an instance and, for a box, its face.
+struct SurfaceId {
+  InstanceId instance = no_instance;
+  Face face = no_face;
+  bool operator==(const SurfaceId&) const = default;
+};
+
+/// Nearest hit so far; t counts in lengths of the world ray's direction, in every space.
+template <class Real>
+struct Hit {
+  Real t = std::numeric_limits<Real>::infinity();
+  SurfaceId surface;
+};
+
+/// A material in the real type of the tracer.
+template <class Real>
+struct Material {
+  Rgb<Real> ka, kd, ks;
+  Real m;
+  Rgb<Real> mirror, transmit;
+  Real eta;
+  bool mirrors, transmits;
+};
+
+/// What shading needs to know of a hit, found once the nearest hit is known.
+template <class Real>
+struct Surface {
+  Vec3<Real> normal;  ///< outward, in the space of the caller, of any length
+  const Material<Real>* material;
+  ShapeId shape;
+};
+
+/// What a ray carries through the hierarchy besides itself.
+template <class Real>
+struct Query {
+  const FormulaTable<Real>& formulas;
+  SurfaceId start;  ///< where the ray starts: that surface is not met again at t = 0
+};
+
+/// A node of the hierarchy. It is placed in its parent's space by M and met in its own space, by the ray times
+/// M^-1; the direction is not normalised, so t is valid in both.
+template <class Real>
+class Shape {
+ public:
+  explicit Shape(const Transform<Real>& parent_from_object)
+      : parent_from_object_(parent_from_object), is_identity_(parent_from_object.matrix == Mat4<Real>(1)) {}
+  virtual ~Shape() = default;
+  Shape(const Shape&) = delete;
+  Shape& operator=(const Shape&) = delete;
+
+  virtual InstanceId instances() const = 0;
+
+  /// Replaces `nearest` where a hit with 0 < t < nearest.t lies below this node. `ray` is in the parent's
+  /// space; `first` is the number of the first instance below this node on the path taken.
+  void intersect(const Query<Real>& query, const Ray<Real>& ray, InstanceId first, Hit<Real>& nearest) const {
+    if (is_identity_) return intersect_here(query, ray, first, nearest);
+    intersect_here(query, query.formulas.transform_ray(parent_from_object_.inverse, ray), first, nearest);
+  }
+
+  /// The surface of a hit below this node, its normal in the parent's space, by (M^-1)^T.
+  Surface<Real> surface(const Query<Real>& query, const Ray<Real>& ray, InstanceId first, const Hit<Real>& hit) const {
+    if (is_identity_) return surface_here(query, ray, first, hit);
+    Surface<Real> found =
+        surface_here(query, query.formulas.transform_ray(parent_from_object_.inverse, ray), first, hit);
+    found.normal = query.formulas.transform_normal(parent_from_object_.inverse, found.normal);
+    return found;
+  }
+
+ protected:
+  virtual void intersect_here(const Query<Real>& query, const Ray<Real>& ray, InstanceId first,
+                              Hit<Real>& nearest) const = 0;
+  virtual Surface<Real> surface_here(const Query<Real>& query, const Ray<Real>& ray, InstanceId first,
+                                     const Hit<Real>& hit) const = 0;
+
+ private:
+  Transform<Real> parent_from_object_;
+  bool is_identity_;
+};
+
+template <class Real>
+class Sphere final : public Shape<Real> {
+ public:
+  Sphere(const Transform<Real>& parent_from_object, const plumb::Sphere& sphere, const Material<Real>& material,
+         ShapeId shape)
+      : Shape<Real>(parent_from_object),
+        center_(sphere.center),
+        radius_(static_cast<Real>(sphere.radius)),
+        material_(material),
+        shape_(shape) {}
+
+  InstanceId instances() const override { return 1; }
+
+ private:
+  void intersect_here(const Query<Real>& query, const Ray<Real>& ray, InstanceId self,
+                      Hit<Real>& nearest) const override {
+    const auto t = query.formulas.intersect_sphere(ray, center_, radius_, query.start.instance == self);
+    if (t && *t < nearest.t) nearest = {*t, {self, no_face}};
+  }
+  Surface<Real> surface_here(const Query<Real>& query, const Ray<Real>& ray, InstanceId,
+                             const Hit<Real>& hit) const override {
+    const Vec3<Real> point = query.formulas.point_at(ray, hit.t);
+    return {query.formulas.sphere_normal(point, center_), &material_, shape_};
+  }
+
+  Vec3<Real> center_;
+  Real radius_;
+  const Material<Real>& material_;
+  ShapeId shape_;
+};
+
+template <class Real>
+class Box final : public Shape<Real> {
+ public:
+  Box(const Transform<Real>& parent_from_object, const plumb::Box& box, const Material<Real>& material, ShapeId shape)
+      : Shape<Real>(parent_from_object),
+        corners_{Vec3<Real>(box.min), Vec3<Real>(box.max)},
+        material_(material),
+        shape_(shape) {}
+
+  InstanceId instances() const override { return 1; }
+
+ private:
+  void intersect_here(const Query<Real>& query, const Ray<Real>& ray, InstanceId self,
+                      Hit<Real>& nearest) const override {
+    const Face start = query.start.instance == self ? query.start.face : no_face;
+    const auto hit = query.formulas.intersect_box(ray, corners_, start);
+    if (hit && hit->t < nearest.t) nearest = {hit->t, {self, hit->face}};
+  }
+  Surface<Real> surface_here(const Query<Real>& query, const Ray<Real>&, InstanceId,
+                             const Hit<Real>& hit) const override {
+    return {query.formulas.box_normal(hit.surface.face), &material_, shape_};
+  }
+
+  Corners<Real> corners_;
+  const Material<Real>& material_;
+  ShapeId shape_;
+};
+
+/// An inner node: a matrix and children. A child may have several parents.
+template <class Real>
+class Composite final : public Shape<Real> {
+ public:
+  Composite(const Transform<Real>& parent_from_object, std::vector<std::shared_ptr<const Shape<Real>>> children)
+      : Shape<Real>(parent_from_object), children_(std::move(children)) {
+    for (const auto& child : children_) {
+      offsets_.push_back(instances_);
+      instances_ += child->instances();
+    }
+  }
+
+  InstanceId instances() const override { return instances_; }
+
+ private:
+  void intersect_here(const Query<Real>& query, const Ray<Real>& ray, InstanceId first,
+                      Hit<Real>& nearest) const override {
+    for (std::size_t i = 0; i < children_.size(); ++i) children_[i]->intersect(query, ray, first + offsets_[i], nearest);
+  }
+  Surface<Real> surface_here(const Query<Real>& query, const Ray<Real>& ray, InstanceId first,
+                             const Hit<Real>& hit) const override {
+    const InstanceId offset = hit.surface.instance - first;
+    const auto after = std::upper_bound(offsets_.begin(), offsets_.end(), offset);
+    const auto child = static_cast<std::size_t>(after - offsets_.begin()) - 1;
+    return children_[child]->surface(query, ray, first + offsets_[child], hit);
+  }
+
+  std::vector<std::shared_ptr<const Shape<Real>>> children_;
+  std::vector<InstanceId> offsets_;  // of a child's first instance from the composite's own
+  InstanceId instances_ = 0;
+};
+
+}  // namespace plumb::textbook

@@ -1,0 +1,94 @@
+// A scene made ready to be traced by the textbook tracer, in one real type.
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <vector>
+
+#include "tracer/scene/dielectrics.hpp"
+#include "tracer/textbook/shape.hpp"
+
+namespace plumb::textbook {
+
+template <class Real>
+struct Light {
+  Vec3<Real> position;
+  Rgb<Real> intensity;  ///< Ip
+};
+
+/// Owns the hierarchy; every shape of the scene is built once, however many parents it has.
+template <class Real>
+class World {
+ public:
+  /// Expects a scene as read_scene returns it without errors; it must outlive the world.
+  World(const Scene& scene, const FormulaTable<Real>& formulas) : scene_(scene), formulas_(formulas) {
+    ambient_ = Rgb<Real>(scene.ambient);
+    background_ = Rgb<Real>(scene.background);
+    for (const auto& m : scene.materials) {
+      materials_.push_back({Rgb<Real>(m.ka), Rgb<Real>(m.kd), Rgb<Real>(m.ks), static_cast<Real>(m.m),
+                            Rgb<Real>(m.mirror), Rgb<Real>(m.transmit), static_cast<Real>(m.eta), m.mirrors(),
+                            m.transmits()});
+    }
+    for (const auto& l : scene.lights) lights_.push_back({Vec3<Real>(l.position), Rgb<Real>(l.intensity())});
+    std::vector<std::shared_ptr<const Shape<Real>>> built(scene.shapes.size());
+    std::vector<std::shared_ptr<const Shape<Real>>> roots;
+    for (const ShapeId id : scene.roots()) roots.push_back(build(scene, id, built));
+    root_ = std::make_shared<Composite<Real>>(Transform<Real>{}, std::move(roots));
+  }
+
+  const FormulaTable<Real>& formulas() const { return formulas_; }
+  const std::vector<Light<Real>>& lights() const { return lights_; }
+  const Rgb<Real>& ambient() const { return ambient_; }
+  const Rgb<Real>& background() const { return background_; }
+  InstanceId instances() const { return root_->instances(); }
+
+  /// The glass that a camera is inside of, outermost first.
+  std::vector<EnclosingDielectric> dielectrics_around(const Camera& camera) const {
+    const CameraPose<double> pose = pose_of<double>(camera);
+    return plumb::dielectrics_around(scene_, pose.eye, pose.direction);
+  }
+
+  /// The nearest hit with t > 0 of a ray that starts on `start` (or in free space).
+  Hit<Real> nearest_hit(const Ray<Real>& ray, SurfaceId start,
+                        Real t_max = std::numeric_limits<Real>::infinity()) const {
+    Hit<Real> nearest;
+    nearest.t = t_max;
+    root_->intersect({formulas_, start}, ray, 0, nearest);
+    return nearest;
+  }
+
+  Surface<Real> surface(const Ray<Real>& ray, const Hit<Real>& hit) const {
+    return root_->surface({formulas_, {}}, ray, 0, hit);
+  }
+
+ private:
+  using Built = std::vector<std::shared_ptr<const Shape<Real>>>;
+
+  std::shared_ptr<const Shape<Real>> build(const Scene& scene, ShapeId id, Built& built) const {
+    if (built[id]) return built[id];
+    const plumb::Shape& shape = scene.shapes[id];
+    const Transform<Real> placed = formulas_.transform_of(shape.transform);
+    if (const auto* sphere = std::get_if<plumb::Sphere>(&shape.geometry)) {
+      built[id] = std::make_shared<Sphere<Real>>(placed, *sphere, materials_[sphere->material], id);
+    } else if (const auto* box = std::get_if<plumb::Box>(&shape.geometry)) {
+      built[id] = std::make_shared<Box<Real>>(placed, *box, materials_[box->material], id);
+    } else {
+      Built children;
+      for (const ShapeId child : std::get<plumb::Composite>(shape.geometry).children) {
+        children.push_back(build(scene, child, built));
+      }
+      built[id] = std::make_shared<Composite<Real>>(placed, std::move(children));
+    }
+    return built[id];
+  }
+
+  const Scene& scene_;
+  FormulaTable<Real> formulas_;
+  std::deque<Material<Real>> materials_;  // a deque: shapes refer to its elements
+  std::vector<Light<Real>> lights_;
+  Rgb<Real> ambient_;
+  Rgb<Real> background_;
+  std::shared_ptr<const Composite<Real>> root_;
+};
+
+}  // namespace plumb::textbook
