@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <optional>
 #include <random>
 #include <set>
 
@@ -13,7 +14,8 @@ namespace plumb::references {
 namespace {
 
 constexpr double relative_step = 1e-8;
-constexpr int patterns = 24;              // two surfaces stay in one order in all of them once in 2^23 cases
+constexpr int patterns = 48;              // two surfaces stay in one order in all of them once in 2^47 cases
+constexpr int patterns_of_one = 6;        // of a single shape, to find out whether it takes part
 constexpr std::size_t pixels_named = 64;  // the shapes are looked for in so many tied pixels
 
 using Colour = std::array<float, 3>;
@@ -21,9 +23,10 @@ using Colour = std::array<float, 3>;
 /// A scene and what traces single pixels of it.
 class PixelTracer {
  public:
-  PixelTracer(Scene scene, const Camera& camera, const Image& like, const RenderOptions& options)
+  PixelTracer(Scene scene, const Camera& camera, const Image& like, const RenderOptions& options,
+              const textbook::FormulaTable<double>& formulas = {})
       : scene_(std::move(scene)),
-        world_(scene_, textbook::FormulaTable<double>{}),
+        world_(scene_, formulas),
         tracer_(world_, camera, like.width, like.height, options) {}
   PixelTracer(const PixelTracer&) = delete;
   PixelTracer& operator=(const PixelTracer&) = delete;
@@ -39,14 +42,35 @@ class PixelTracer {
   textbook::Tracer<double> tracer_;
 };
 
-/// Moves the surface outward by `step` (inward when negative); a composite is scaled about its origin.
-void move_surface(Shape& shape, double step) {
+/// Where a ray only touches the edge of a box, it enters and leaves at once: this takes the face it leaves by.
+std::optional<FaceHit<double>> leaving_at_edges(const Ray<double>& ray, const Corners<double>& box, Face start) {
+  const auto hit = formulas::intersect_box(ray, box, start);
+  if (!hit || start != no_face) return hit;
+  const auto leaving = formulas::intersect_box({formulas::point_at(ray, hit->t), ray.direction}, box, hit->face);
+  return leaving && leaving->t <= 10 * relative_step * hit->t ? FaceHit<double>{hit->t, leaving->face} : *hit;
+}
+
+/// What is as near to the lit point as that is taken for the surface itself.
+bool blocks_from_afar(double t, double light_distance) {
+  return t > 10 * relative_step * light_distance && t < light_distance;
+}
+
+textbook::FormulaTable<double> formulas_for_pattern(int pattern) {
+  textbook::FormulaTable<double> table;
+  if (pattern % 2 == 1) table.intersect_box = &leaving_at_edges;
+  if (pattern % 4 > 1) table.blocks_light = &blocks_from_afar;
+  return table;
+}
+
+/// Moves every face of a box, and the surface of a sphere, by `step` one way or the other.
+void move_surface(Shape& shape, double step, std::mt19937& random) {
+  const auto either = [&] { return (random() & 1U) != 0 ? step : -step; };
   if (auto* sphere = std::get_if<Sphere>(&shape.geometry)) {
-    sphere->radius = std::max(sphere->radius + step, sphere->radius / 2);
+    sphere->radius = std::max(sphere->radius + either(), sphere->radius / 2);
+    sphere->center += Vec3d(either(), either(), either());
   } else if (auto* box = std::get_if<Box>(&shape.geometry)) {
-    box->min -= Vec3d(step);
-    box->max += Vec3d(step);
-    box->min = glm::min(box->min, box->max);
+    box->min += Vec3d(either(), either(), either());
+    box->max = glm::max(box->min, box->max + Vec3d(either(), either(), either()));
   }
 }
 
@@ -56,19 +80,20 @@ double scene_extent(const Scene& scene, const Camera& camera) {
 }
 
 Scene moved_at_random(Scene scene, double step, std::mt19937& random) {
-  for (Shape& shape : scene.shapes) move_surface(shape, (random() & 1U) != 0 ? step : -step);
+  for (Shape& shape : scene.shapes) move_surface(shape, step, random);
   return scene;
 }
 
 /// Adds the shapes whose move alone changes one of the pixels.
 void name_shapes(const Scene& scene, const Camera& camera, const RenderOptions& options, const Image& like,
-                 const std::vector<PixelPlace>& pixels, double step, double tolerance, std::set<ShapeId>& found) {
+                 const std::vector<PixelPlace>& pixels, double step, double tolerance, std::mt19937& random,
+                 std::set<ShapeId>& found) {
   const PixelTracer still(scene, camera, like, options);
   for (ShapeId id = 0; id < scene.shapes.size(); ++id) {
     if (material_of(scene.shapes[id]) == nullptr) continue;
-    for (const double by : {step, -step}) {
+    for (int i = 0; i < patterns_of_one && !found.contains(id); ++i) {
       Scene moved = scene;
-      move_surface(moved.shapes[id], by);
+      move_surface(moved.shapes[id], step, random);
       const PixelTracer tracer(std::move(moved), camera, like, options);
       const bool changes = std::any_of(pixels.begin(), pixels.end(), [&](PixelPlace place) {
         return !is_within(still.at(place).data(), tracer.at(place).data(), tolerance);
@@ -87,14 +112,14 @@ TieReport prove_ties(const Scene& scene, const Camera& camera, const RenderOptio
   const double step = relative_step * scene_extent(scene, camera);
   std::mt19937 random(1);  // any seed: the patterns are to be the same every time
   std::vector<std::unique_ptr<PixelTracer>> moved;
-  moved.push_back(std::make_unique<PixelTracer>(scene, camera, reference, options));
   for (int i = 0; i < patterns; ++i) {
-    moved.push_back(
-        std::make_unique<PixelTracer>(moved_at_random(scene, step, random), camera, reference, options));
+    const double move = i % 8 < 4 ? step : step / 1000;  // small against what leaving_at_edges takes for an edge
+    moved.push_back(std::make_unique<PixelTracer>(moved_at_random(scene, move, random), camera, reference, options,
+                                                  formulas_for_pattern(i)));
   }
   std::vector<PixelPlace> tied;
   for (const PixelPlace place : pixels) {
-    const bool reproduced = std::any_of(moved.begin() + 1, moved.end(), [&](const auto& tracer) {
+    const bool reproduced = std::any_of(moved.begin(), moved.end(), [&](const auto& tracer) {
       return is_within(reference.pixel(place.x, place.y), tracer->at(place).data(), tolerance);
     });
     if (reproduced) tied.push_back(place);
@@ -105,7 +130,7 @@ TieReport prove_ties(const Scene& scene, const Camera& camera, const RenderOptio
   const std::size_t stride = std::max<std::size_t>(1, tied.size() / pixels_named);
   for (std::size_t i = 0; i < tied.size(); i += stride) sample.push_back(tied[i]);
   std::set<ShapeId> found;
-  name_shapes(scene, camera, options, reference, sample, step, tolerance, found);
+  name_shapes(scene, camera, options, reference, sample, step, tolerance, random, found);
   for (const ShapeId id : found) report.shapes.push_back(scene.shapes[id].name);
   return report;
 }

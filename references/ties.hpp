@@ -1,4 +1,5 @@
-// Pixels that no renderer can be wrong about: where two surfaces coincide, which one is seen is chance.
+// Pixels that no renderer can be wrong about: where two surfaces coincide, or a ray runs exactly
+// along the edge of two faces, which one is seen is chance.
 #pragma once
 
 #include <string>
@@ -16,7 +17,7 @@ struct TieReport {
   std::vector<std::string> shapes;     ///< names of the shapes that coincide, in the order of the file
 };
 
-/// Proof of a tie: every sphere and box is grown or shrunk by 1e-8 of the scene's extent, in several patterns.
+/// Proof of a tie: every sphere and every face of a box is moved by 1e-8 of the scene's extent, in several patterns.
 /// When that changes the pixel by more than the tolerance, and one of the outcomes is the reference's value within
 /// the tolerance, then what is seen there hangs on a distance below 1e-8 of the scene, and the reference decided
 /// it in one of the possible ways. (POV-Ray takes the nearest of two hits only when they are 1e-4 units apart,
