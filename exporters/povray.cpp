@@ -37,8 +37,8 @@ Bounds object_bounds(const Shape& shape) {
 Bounds world_bounds(const Bounds& object, const Mat4<double>& matrix) {
   const Vec3d middle = formulas::transform_point(matrix, (object.min + object.max) / 2.0);
   const Vec3d half = (object.max - object.min) / 2.0;
-  const Vec3d extent =
-      glm::abs(Vec3d(matrix[0])) * half.x + glm::abs(Vec3d(matrix[1])) * half.y + glm::abs(Vec3d(matrix[2])) * half.z;
+  const Vec3d extent = glm::abs(Vec3d(matrix[0])) * half.x + glm::abs(Vec3d(matrix[1])) * half.y +
+                       glm::abs(Vec3d(matrix[2])) * half.z;
   return {middle - extent, middle + extent};
 }
 
@@ -46,7 +46,8 @@ Bounds world_bounds(const Bounds& object, const Mat4<double>& matrix) {
 std::string harmless(const std::string& name) {
   std::string shown = name.substr(0, 40);
   for (char& c : shown) {
-    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+    const bool plain =
+        (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
     if (!plain) c = '?';
   }
   return shown;
@@ -55,8 +56,13 @@ std::string harmless(const std::string& name) {
 class Exporter {
  public:
   Exporter(const Scene& scene, const Camera& camera, int width, int height, const RenderOptions& options)
-      : scene_(scene), camera_(camera), width_(width), height_(height), options_(options),
-        space_(export_space(scene, camera)), roots_(scene.roots()) {}
+      : scene_(scene),
+        camera_(camera),
+        width_(width),
+        height_(height),
+        options_(options),
+        space_(export_space(scene, camera)),
+        roots_(scene.roots()) {}
 
   PovrayExport write() {
     const auto pose = pose_of<double>(camera_);
@@ -64,7 +70,8 @@ class Exporter {
     header();
     camera(pose);
     for (const Light& light : scene_.lights) {
-      text_ += "light_source { " + sdl(exported_point(light.position)) + ", rgb " + sdl(light.intensity()) + " }\n";
+      text_ += "light_source { " + sdl(exported_point(light.position)) + ", rgb " + sdl(light.intensity()) +
+               " }\n";
     }
     materials();
     if (around.empty()) {
@@ -83,8 +90,8 @@ class Exporter {
   void header() {
     text_ += "// Exported by plumb. One unit of the scene is " + to_text(space_.scale) + " units here";
     if (space_.center != Vec3d(0)) text_ += "; " + sdl(space_.center) + " of the scene is the origin";
-    text_ += ".\n#version 3.7;\nglobal_settings { assumed_gamma 1.0 max_trace_level " + std::to_string(options_.depth) +
-             " adc_bailout 0 }\n";
+    text_ += ".\n#version 3.7;\nglobal_settings { assumed_gamma 1.0 max_trace_level " +
+             std::to_string(options_.depth) + " adc_bailout 0 }\n";
     if (scene_.background != Rgbd(0)) text_ += "background { rgb " + sdl(scene_.background) + " }\n";
   }
 
@@ -93,7 +100,8 @@ class Exporter {
     const double distance = formulas::image_plane_distance(camera_.fov_x_degrees);
     const double aspect = static_cast<double>(height_) / static_cast<double>(width_);
     text_ += "camera { perspective location " + sdl(exported_point(pose.eye)) + " direction " +
-             sdl(-Vec3d(m[2]) * distance) + " right " + sdl(Vec3d(m[0])) + " up " + sdl(Vec3d(m[1]) * aspect) + " }\n";
+             sdl(-Vec3d(m[2]) * distance) + " right " + sdl(Vec3d(m[0])) + " up " +
+             sdl(Vec3d(m[1]) * aspect) + " }\n";
   }
 
   bool casts_apart(const Material& material) const {
@@ -119,7 +127,8 @@ class Exporter {
       text_ += "#declare Material_" + std::to_string(id) + " = // " + harmless(material.name) + "\n" +
                povray_texture(material, scene_.ambient);
     }
-    if (needs_caster) text_ += "#declare Caster = texture { pigment { rgb 0 } finish { ambient 0 diffuse 0 } }\n";
+    if (needs_caster)
+      text_ += "#declare Caster = texture { pigment { rgb 0 } finish { ambient 0 diffuse 0 } }\n";
   }
 
   /// Inside a sphere or box: texture, interior and flags.
@@ -138,7 +147,8 @@ class Exporter {
   /// M in export units: the linear part is the same, lengths are scaled; only at the top the centre moves.
   std::string matrix(const Mat4<double>& m, bool is_root) const {
     const Vec3d moved = space_.scale * (Vec3d(m[3]) - (is_root ? space_.center : Vec3d(0)));
-    const bool linear_identity = Vec3d(m[0]) == Vec3d(1, 0, 0) && Vec3d(m[1]) == Vec3d(0, 1, 0) && Vec3d(m[2]) == Vec3d(0, 0, 1);
+    const bool linear_identity =
+        Vec3d(m[0]) == Vec3d(1, 0, 0) && Vec3d(m[1]) == Vec3d(0, 1, 0) && Vec3d(m[2]) == Vec3d(0, 0, 1);
     if (linear_identity) return moved == Vec3d(0) ? "" : " translate " + sdl(moved);
     std::string text = " matrix <";
     for (int column = 0; column < 3; ++column) {
@@ -169,7 +179,8 @@ class Exporter {
   void hierarchy() {
     std::vector<bool> is_declared(scene_.shapes.size(), false);
     for (const ShapeId root : roots_) declare(root, is_declared);
-    for (const ShapeId root : roots_) text_ += use(root, true) + " // " + harmless(scene_.shapes[root].name) + "\n";
+    for (const ShapeId root : roots_)
+      text_ += use(root, true) + " // " + harmless(scene_.shapes[root].name) + "\n";
   }
 
   void declare(ShapeId id, std::vector<bool>& is_declared) {
@@ -177,7 +188,8 @@ class Exporter {
     if (composite == nullptr || is_declared[id]) return;
     is_declared[id] = true;
     for (const ShapeId child : composite->children) declare(child, is_declared);
-    const bool is_union = composite->children.size() > 1 || casts_apart(scene_.shapes[composite->children.front()]);
+    const bool is_union =
+        composite->children.size() > 1 || casts_apart(scene_.shapes[composite->children.front()]);
     text_ += "#declare Composite_" + std::to_string(id) + " = " + (is_union ? "union { // " : "// ") +
              harmless(scene_.shapes[id].name) + "\n";  // POV-Ray warns of a union of one
     for (const ShapeId child : composite->children) text_ += "  " + use(child, false) + "\n";
@@ -229,15 +241,16 @@ class Exporter {
 }  // namespace
 
 ExportSpace export_space(const Scene& scene, const Camera& camera) {
-  constexpr double wanted_span = 8192;        // at least, and less than twice as much
-  constexpr double smallest_feature = 16;     // 1e-3 (the shadow tolerance) must be small against it
-  constexpr double largest_span = 1 << 20;    // spheres vanish past 1e7
+  constexpr double wanted_span = 8192;      // at least, and less than twice as much
+  constexpr double smallest_feature = 16;   // 1e-3 (the shadow tolerance) must be small against it
+  constexpr double largest_span = 1 << 20;  // spheres vanish past 1e7
   const Vec3d eye = pose_of<double>(camera).eye;
   Bounds all;
   all.include(eye, eye);
   double smallest = std::numeric_limits<double>::infinity();
   for_each_instance(scene, [&](const Instance& instance) {
-    const Bounds b = world_bounds(object_bounds(scene.shapes[instance.shape]), instance.world_from_object.matrix);
+    const Bounds b =
+        world_bounds(object_bounds(scene.shapes[instance.shape]), instance.world_from_object.matrix);
     all.include(b.min, b.max);
     smallest = std::min(smallest, b.span());
   });

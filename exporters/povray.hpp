@@ -10,16 +10,16 @@ namespace plumb::exporters {
 
 /// Where the exported scene lies: world points p become scale * (p - center).
 struct ExportSpace {
-  double scale;   ///< a power of two, so that scaling rounds nothing
-  Vec3d center;   ///< 0 unless the scene lies far off the origin
+  double scale;  ///< a power of two, so that scaling rounds nothing
+  Vec3d center;  ///< 0 unless the scene lies far off the origin
 };
 
 /// POV-Ray's tolerances are absolute (1e-6 .. 1e-3), so the scene is made to span about 1e4 units.
 ExportSpace export_space(const Scene& scene, const Camera& camera);
 
 struct PovrayExport {
-  std::string text;            ///< deterministic; no name of the scene is part of the code
-  bool needs_flat_objects;     ///< the eye is inside glass: POV-Ray must run with -MB
+  std::string text;         ///< deterministic; no name of the scene is part of the code
+  bool needs_flat_objects;  ///< the eye is inside glass: POV-Ray must run with -MB
 };
 
 /// Expects a scene as read_scene returns it without errors. The picture is width x height.

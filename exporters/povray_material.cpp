@@ -8,7 +8,8 @@ namespace plumb::exporters {
 namespace {
 
 std::string sdl_with(const Rgbd& colour, double fourth) {
-  return "<" + to_text(colour.x) + "," + to_text(colour.y) + "," + to_text(colour.z) + "," + to_text(fourth) + ">";
+  return "<" + to_text(colour.x) + "," + to_text(colour.y) + "," + to_text(colour.z) + "," + to_text(fourth) +
+         ">";
 }
 
 bool is_grey(const Rgbd& c) { return c.x == c.y && c.y == c.z; }
@@ -18,8 +19,8 @@ struct Layer {
   std::string finish;
 };
 
-/// Collects layers from the top down. What lies beneath a layer is multiplied by its filter; `beneath_` is the
-/// product of these so far and every colour is divided by it.
+/// Collects layers from the top down. What lies beneath a layer is multiplied by its filter; `beneath_` is
+/// the product of these so far and every colour is divided by it.
 class Layers {
  public:
   /// A layer that shines by itself (`finish` says how) with `colour`. Half opaque if another one follows.

@@ -2,17 +2,20 @@
 
 #include <sys/stat.h>
 
+#define XXH_INLINE_ALL
+#include <xxhash.h>
+
 #include <algorithm>
+#include <array>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <vector>
 
 #include "references/digest.hpp"
-#include "tracer/image/write_file.hpp"
+#include "tracer/image/files.hpp"
 
 namespace plumb::references {
 namespace {
@@ -20,7 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-constexpr const char* entry_magic = "plumb cache 1\n";
+constexpr const char* entry_magic = "plumb cache 2\n";
 
 std::string default_directory() {
   if (const char* own = std::getenv("PLUMB_CACHE"); own != nullptr && *own != '\0') return own;
@@ -32,9 +35,12 @@ std::string default_directory() {
 }
 
 std::optional<std::string> read_if_there(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) return std::nullopt;
-  return std::string{std::istreambuf_iterator<char>(file), {}};
+  if (!fs::is_regular_file(path)) return std::nullopt;
+  try {
+    return read_file(path);
+  } catch (const std::runtime_error&) {
+    return std::nullopt;  // as good as absent
+  }
 }
 
 std::string key_of(const PovrayJob& job, const std::string& version) {
@@ -43,7 +49,16 @@ std::string key_of(const PovrayJob& job, const std::string& version) {
   return sha256(all + "\n" + job.text);
 }
 
-/// magic, hash of the rest, a line of JSON, the floats
+/// Notices damage; XXH3 because SHA-256 of the pixels costs as much as rendering them.
+std::string checksum(std::string_view bytes) {
+  const XXH128_hash_t hash = XXH3_128bits(bytes.data(), bytes.size());
+  std::array<char, 33> text{};
+  std::snprintf(text.data(), text.size(), "%016llx%016llx", static_cast<unsigned long long>(hash.high64),
+                static_cast<unsigned long long>(hash.low64));
+  return text.data();
+}
+
+/// magic, checksum of the rest, a line of JSON, the floats
 std::string pack(const PovrayPicture& picture) {
   const Json about{{"width", picture.image.width},
                    {"height", picture.image.height},
@@ -54,16 +69,16 @@ std::string pack(const PovrayPicture& picture) {
   const std::size_t at = rest.size();
   rest.resize(at + picture.image.rgb.size() * sizeof(float));
   std::memcpy(rest.data() + at, picture.image.rgb.data(), picture.image.rgb.size() * sizeof(float));
-  return entry_magic + sha256(rest) + "\n" + rest;
+  return entry_magic + checksum(rest) + "\n" + rest;
 }
 
 std::optional<PovrayPicture> unpack(std::string_view bytes) {
-  constexpr std::size_t hash_length = 64;
+  constexpr std::size_t hash_length = 32;
   const std::string_view magic = entry_magic;
   if (!bytes.starts_with(magic) || bytes.size() < magic.size() + hash_length + 1) return std::nullopt;
   const std::string_view hash = bytes.substr(magic.size(), hash_length);
   const std::string_view rest = bytes.substr(magic.size() + hash_length + 1);
-  if (sha256(rest) != hash) return std::nullopt;
+  if (checksum(rest) != hash) return std::nullopt;
   const std::size_t line = rest.find('\n');
   const Json about = Json::parse(rest.substr(0, line));
   PovrayPicture picture;
@@ -116,7 +131,8 @@ std::optional<PovrayPicture> Cache::find(const PovrayJob& job, const std::string
   const auto bytes = read_if_there(path);
   if (!bytes) return std::nullopt;
   auto picture = unpack(*bytes);
-  if (!picture || picture->image.width != job.width || picture->image.height != job.height) return std::nullopt;
+  if (!picture || picture->image.width != job.width || picture->image.height != job.height)
+    return std::nullopt;
   std::error_code ignored;
   fs::last_write_time(path, fs::file_time_type::clock::now(), ignored);  // used now, so pruned later
   return picture;

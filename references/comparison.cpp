@@ -37,13 +37,15 @@ PixelPair pair_at(std::size_t pixel, int width, int channels, const float* refer
 
 Comparison compare(int width, int height, int channels, const std::vector<float>& reference,
                    const std::vector<float>& test, double tolerance) {
-  if (!(tolerance >= 0) || !std::isfinite(tolerance)) throw std::invalid_argument("expected a finite tolerance >= 0");
+  if (!(tolerance >= 0) || !std::isfinite(tolerance))
+    throw std::invalid_argument("expected a finite tolerance >= 0");
   Comparison result;
   result.pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   const auto step = static_cast<std::size_t>(channels);
   if (reference.size() != result.pixels * step || test.size() != reference.size()) {
-    throw std::invalid_argument("the pictures do not have " + std::to_string(width) + " x " + std::to_string(height) +
-                                " pixels of " + std::to_string(channels) + " channels");
+    throw std::invalid_argument("the pictures do not have " + std::to_string(width) + " x " +
+                                std::to_string(height) + " pixels of " + std::to_string(channels) +
+                                " channels");
   }
   double worst = -1;
   double sum = 0;
@@ -78,9 +80,9 @@ Comparison compare(int width, int height, int channels, const std::vector<float>
 
 Comparison compare(const Image& reference, const Image& test, double tolerance) {
   if (reference.width != test.width || reference.height != test.height) {
-    throw std::invalid_argument("the pictures have different sizes: reference " + std::to_string(reference.width) + " x " +
-                                std::to_string(reference.height) + ", test " + std::to_string(test.width) + " x " +
-                                std::to_string(test.height));
+    throw std::invalid_argument("the pictures have different sizes: reference " +
+                                std::to_string(reference.width) + " x " + std::to_string(reference.height) +
+                                ", test " + std::to_string(test.width) + " x " + std::to_string(test.height));
   }
   return compare(test.width, test.height, 3, reference.rgb, test.rgb, tolerance);
 }

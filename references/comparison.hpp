@@ -16,23 +16,23 @@ struct PixelPair {
   std::vector<float> reference;
 };
 
-/// Errors are absolute differences of linear components. A pixel is over the tolerance when a component differs
-/// by more than tolerance * max(1, |reference|): relative above 1, because float32 carries 24 bits and values
-/// above 8 are not even spaced as finely as 1e-6. A pixel with a component that is not finite, on either side, is
-/// counted first and apart: it is always over, and enters no mean.
+/// Errors are absolute differences of linear components. A pixel is over the tolerance when a component
+/// differs by more than tolerance * max(1, |reference|): relative above 1, because float32 carries 24 bits
+/// and values above 8 are not even spaced as finely as 1e-6. A pixel with a component that is not finite, on
+/// either side, is counted first and apart: it is always over, and enters no mean.
 struct Comparison {
   std::size_t pixels = 0;
   std::size_t non_finite = 0;   ///< pixels
   std::size_t pixels_over = 0;  ///< non-finite ones included
   double max_error = 0;
-  double mean_error = 0;        ///< over all finite components
+  double mean_error = 0;  ///< over all finite components
   double rms_error = 0;
-  PixelPair worst;              ///< farthest beyond its tolerance; the first non-finite one if there is any
+  PixelPair worst;  ///< farthest beyond its tolerance; the first non-finite one if there is any
   bool agrees() const { return pixels_over == 0; }
 };
 
-/// Pictures of one size and channel count. Throws std::invalid_argument otherwise, saying what differs, and for a
-/// tolerance that is negative or not finite.
+/// Pictures of one size and channel count. Throws std::invalid_argument otherwise, saying what differs, and
+/// for a tolerance that is negative or not finite.
 Comparison compare(const Image& reference, const Image& test, double tolerance);
 Comparison compare(int width, int height, int channels, const std::vector<float>& reference,
                    const std::vector<float>& test, double tolerance);

@@ -3,23 +3,16 @@
 #include <unistd.h>
 
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <sstream>
 #include <utility>
 
 #include "references/povray_state.hpp"
 #include "references/process.hpp"
 #include "tracer/image/io.hpp"
-#include "tracer/image/write_file.hpp"
+#include "tracer/image/files.hpp"
 
 namespace plumb::references {
 namespace {
-
-std::string read_all(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 std::vector<std::string> lines_of(const std::string& text) {
   std::vector<std::string> lines;
@@ -48,7 +41,8 @@ std::string with_sdl_line(const std::string& message, const std::string& sdl) {
   return message;
 }
 
-std::string lines_with(const std::string& output, std::initializer_list<const char*> words, const std::string& sdl) {
+std::string lines_with(const std::string& output, std::initializer_list<const char*> words,
+                       const std::string& sdl) {
   std::string found;
   for (const std::string& line : lines_of(output)) {
     for (const char* word : words) {
@@ -61,11 +55,14 @@ std::string lines_with(const std::string& output, std::initializer_list<const ch
 }
 
 std::string why_it_failed(const ProcessResult& result, const PovrayJob& job) {
-  if (result.timed_out) return "POV-Ray took longer than " + std::to_string(static_cast<int>(job.time_limit_seconds)) + " s";
+  if (result.timed_out)
+    return "POV-Ray took longer than " + std::to_string(static_cast<int>(job.time_limit_seconds)) + " s";
   const std::string said = lines_with(result.output, {"rror"}, job.text);
-  if (result.signal != 0) return "POV-Ray ended by signal " + std::to_string(result.signal) + (said.empty() ? "" : ": " + said);
+  if (result.signal != 0)
+    return "POV-Ray ended by signal " + std::to_string(result.signal) + (said.empty() ? "" : ": " + said);
   if (result.exit_code == 0) return {};
-  return "POV-Ray ended with " + std::to_string(result.exit_code) + ": " + (said.empty() ? "it gave no reason" : said);
+  return "POV-Ray ended with " + std::to_string(result.exit_code) + ": " +
+         (said.empty() ? "it gave no reason" : said);
 }
 
 /// The checked fall-back: 16 bits, clamped at 1.
@@ -82,15 +79,24 @@ Image read_png16(const std::string& path, const PovrayJob& job) {
 }  // namespace
 
 std::vector<std::string> povray_arguments(const PovrayJob& job) {
-  std::vector<std::string> arguments{"+Iin.pov", "+Oout.png", "+W" + std::to_string(job.width),
-                                     "+H" + std::to_string(job.height), "+FN16", "-D", "-A", "File_Gamma=1.0",
-                                     "+WT2", "-GD", "-GR"};
+  std::vector<std::string> arguments{"+Iin.pov",
+                                     "+Oout.png",
+                                     "+W" + std::to_string(job.width),
+                                     "+H" + std::to_string(job.height),
+                                     "+FN16",
+                                     "-D",
+                                     "-A",
+                                     "File_Gamma=1.0",
+                                     "+WT2",
+                                     "-GD",
+                                     "-GR"};
   if (job.without_bounding) arguments.emplace_back("-MB");
   return arguments;
 }
 
 Povray::Povray() : program_(find_program("povray")) {
-  if (program_.empty()) throw PovrayError("povray is not on PATH; install it (apt-get install povray) or use --stored");
+  if (program_.empty())
+    throw PovrayError("povray is not on PATH; install it (apt-get install povray) or use --stored");
 }
 
 std::string Povray::version() const {
@@ -125,7 +131,7 @@ PovrayPicture Povray::render(const PovrayJob& job) const {
   picture.cpu_seconds = result.cpu_seconds;
   picture.warnings = lines_with(result.output, {"Warning"}, job.text);
   try {
-    picture.image = read_povray_state(read_all(state), job.width, job.height);
+    picture.image = read_povray_state(read_file(state), job.width, job.height);
     picture.precision = "float32";
   } catch (const std::runtime_error& error) {
     picture.image = read_png16(directory.path() + "/out.png", job);

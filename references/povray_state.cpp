@@ -103,12 +103,14 @@ void place(const Block& block, Image& image, std::vector<bool>& is_covered) {
 Image read_povray_state(std::string_view bytes, int width, int height) {
   Reader reader(bytes);
   const std::string_view header = reader.take(header_size);
-  if (!header.starts_with(header_magic)) throw std::runtime_error("POV-Ray's state file has an unknown header");
+  if (!header.starts_with(header_magic))
+    throw std::runtime_error("POV-Ray's state file has an unknown header");
   Image image(width, height);
   std::vector<bool> is_covered(image.rgb.size() / 3, false);
   while (!reader.at_end()) {
     reader.expect(message_magic);
-    if (reader.u32() != known_version) throw std::runtime_error("POV-Ray's state file has an unknown version");
+    if (reader.u32() != known_version)
+      throw std::runtime_error("POV-Ray's state file has an unknown version");
     const std::uint32_t size = reader.u32();
     reader.expect("RAWS");
     const Block block = read_message(reader.take(size));

@@ -2,9 +2,9 @@
 
 #include <fcntl.h>
 #include <poll.h>
-#include <sys/syscall.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -41,7 +41,8 @@ void limit(int resource, std::size_t amount) {
   setpgid(0, 0);
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   const int null = open("/dev/null", O_RDONLY);
-  if (chdir(directory) != 0 || dup2(null, 0) < 0 || dup2(output, 1) < 0 || dup2(output, 2) < 0) _exit(cannot_run);
+  if (chdir(directory) != 0 || dup2(null, 0) < 0 || dup2(output, 1) < 0 || dup2(output, 2) < 0)
+    _exit(cannot_run);
   close_range(3, ~0U, 0);
   limit(RLIMIT_AS, limits.memory_bytes);
   limit(RLIMIT_FSIZE, limits.file_bytes);
@@ -51,7 +52,9 @@ void limit(int resource, std::size_t amount) {
   _exit(cannot_run);
 }
 
-double seconds(const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec); }
+double seconds(const timeval& t) {
+  return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+}
 
 /// Waits for the end, or kills the group when the time is over.
 ProcessResult wait_for(pid_t child, double limit_seconds) {
@@ -105,7 +108,8 @@ TemporaryDirectory::~TemporaryDirectory() {
 ProcessResult run_process(const std::vector<std::string>& command, const std::string& directory,
                           const ProcessLimits& limits) {
   const std::vector<char*> arguments = pointers(command);
-  const std::vector<std::string> variables{"HOME=" + directory, "PATH=/usr/bin:/bin", "LC_ALL=C", "TMPDIR=" + directory};
+  const std::vector<std::string> variables{"HOME=" + directory, "PATH=/usr/bin:/bin", "LC_ALL=C",
+                                           "TMPDIR=" + directory};
   const std::vector<char*> environment = pointers(variables);
   const std::string output_path = directory + "/" + output_name;
   const int output = open(output_path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);

@@ -8,13 +8,13 @@
 namespace plumb::references {
 
 struct ProcessLimits {
-  double seconds = 600;                            ///< of waiting; the process group is then killed
+  double seconds = 600;  ///< of waiting; the process group is then killed
   std::size_t memory_bytes = std::size_t{8} << 30;
-  std::size_t file_bytes = std::size_t{8} << 30;   ///< of any one file that it writes
+  std::size_t file_bytes = std::size_t{8} << 30;  ///< of any one file that it writes
 };
 
 struct ProcessResult {
-  int exit_code = -1;      ///< valid when it was neither killed nor late
+  int exit_code = -1;  ///< valid when it was neither killed nor late
   int signal = 0;
   bool timed_out = false;
   double cpu_seconds = 0;  ///< user and system, children included
@@ -34,8 +34,8 @@ class TemporaryDirectory {
   std::string path_;
 };
 
-/// Runs a program (an absolute path) without a shell, in `directory`, which is also its HOME, with nothing else
-/// in its environment and no standard input. Throws std::runtime_error when it cannot be started.
+/// Runs a program (an absolute path) without a shell, in `directory`, which is also its HOME, with nothing
+/// else in its environment and no standard input. Throws std::runtime_error when it cannot be started.
 ProcessResult run_process(const std::vector<std::string>& command, const std::string& directory,
                           const ProcessLimits& limits);
 

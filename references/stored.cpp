@@ -9,7 +9,7 @@
 
 #include "references/digest.hpp"
 #include "tracer/image/io.hpp"
-#include "tracer/image/write_file.hpp"
+#include "tracer/image/files.hpp"
 
 namespace plumb::references {
 namespace {
@@ -19,8 +19,9 @@ using Json = nlohmann::ordered_json;
 constexpr const char* provenance_name = "/provenance.json";
 
 StoredReference from_json(const Json& json) {
-  return {json.at("scene"),         json.at("image"),    json.at("width"),   json.at("height"), json.at("export_sha256"),
-          json.at("pixels_sha256"), json.at("renderer"), json.at("version"), json.at("command")};
+  return {json.at("scene"),    json.at("image"),         json.at("width"),
+          json.at("height"),   json.at("export_sha256"), json.at("pixels_sha256"),
+          json.at("renderer"), json.at("version"),       json.at("command")};
 }
 
 Json to_json(const StoredReference& e) {
@@ -56,7 +57,8 @@ StoredReferences::StoredReferences(std::string directory) : directory_(std::move
   }
 }
 
-std::optional<StoredReference> StoredReferences::find(const std::string& export_text, int width, int height) const {
+std::optional<StoredReference> StoredReferences::find(const std::string& export_text, int width,
+                                                      int height) const {
   const std::string hash = sha256(export_text);
   const auto it = std::find_if(entries_.begin(), entries_.end(), [&](const StoredReference& e) {
     return e.export_sha256 == hash && e.width == width && e.height == height;

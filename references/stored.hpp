@@ -10,20 +10,21 @@
 namespace plumb::references {
 
 struct StoredReference {
-  std::string scene;          ///< path of the scene, from the top of the repository
-  std::string image;          ///< file name in the directory of stored images
+  std::string scene;  ///< path of the scene, from the top of the repository
+  std::string image;  ///< file name in the directory of stored images
   int width = 0;
   int height = 0;
   std::string export_sha256;  ///< of the exported text; finds the image again
   std::string pixels_sha256;  ///< of the float32 values
   std::string renderer;       ///< "povray"
   std::string version;
-  std::string command;        ///< by which the renderer made it from the exported text
+  std::string command;  ///< by which the renderer made it from the exported text
 };
 
 class StoredReferences {
  public:
-  /// Reads provenance.json of the directory; an absent one is empty. Throws std::runtime_error when it is damaged.
+  /// Reads provenance.json of the directory; an absent one is empty. Throws std::runtime_error when it is
+  /// damaged.
   explicit StoredReferences(std::string directory);
 
   /// references/images of the repository that the program was built in, or $PLUMB_REFERENCES.

@@ -42,11 +42,14 @@ class PixelTracer {
   textbook::Tracer<double> tracer_;
 };
 
-/// Where a ray only touches the edge of a box, it enters and leaves at once: this takes the face it leaves by.
-std::optional<FaceHit<double>> leaving_at_edges(const Ray<double>& ray, const Corners<double>& box, Face start) {
+/// Where a ray only touches the edge of a box, it enters and leaves at once: this takes the face it leaves
+/// by.
+std::optional<FaceHit<double>> leaving_at_edges(const Ray<double>& ray, const Corners<double>& box,
+                                                Face start) {
   const auto hit = formulas::intersect_box(ray, box, start);
   if (!hit || start != no_face) return hit;
-  const auto leaving = formulas::intersect_box({formulas::point_at(ray, hit->t), ray.direction}, box, hit->face);
+  const auto leaving =
+      formulas::intersect_box({formulas::point_at(ray, hit->t), ray.direction}, box, hit->face);
   return leaving && leaving->t <= 10 * relative_step * hit->t ? FaceHit<double>{hit->t, leaving->face} : *hit;
 }
 
@@ -105,17 +108,18 @@ void name_shapes(const Scene& scene, const Camera& camera, const RenderOptions& 
 
 }  // namespace
 
-TieReport prove_ties(const Scene& scene, const Camera& camera, const RenderOptions& options, const Image& reference,
-                     const std::vector<PixelPlace>& pixels, double tolerance) {
+TieReport prove_ties(const Scene& scene, const Camera& camera, const RenderOptions& options,
+                     const Image& reference, const std::vector<PixelPlace>& pixels, double tolerance) {
   TieReport report;
   if (pixels.empty()) return report;
   const double step = relative_step * scene_extent(scene, camera);
   std::mt19937 random(1);  // any seed: the patterns are to be the same every time
   std::vector<std::unique_ptr<PixelTracer>> moved;
   for (int i = 0; i < patterns; ++i) {
-    const double move = i % 8 < 4 ? step : step / 1000;  // small against what leaving_at_edges takes for an edge
-    moved.push_back(std::make_unique<PixelTracer>(moved_at_random(scene, move, random), camera, reference, options,
-                                                  formulas_for_pattern(i)));
+    const double move =
+        i % 8 < 4 ? step : step / 1000;  // small against what leaving_at_edges takes for an edge
+    moved.push_back(std::make_unique<PixelTracer>(moved_at_random(scene, move, random), camera, reference,
+                                                  options, formulas_for_pattern(i)));
   }
   std::vector<PixelPlace> tied;
   for (const PixelPlace place : pixels) {

@@ -13,16 +13,16 @@ namespace plumb::references {
 
 /// What the pixels over the tolerance are.
 struct TieReport {
-  std::size_t proven = 0;              ///< pixels
-  std::vector<std::string> shapes;     ///< names of the shapes that coincide, in the order of the file
+  std::size_t proven = 0;           ///< pixels
+  std::vector<std::string> shapes;  ///< names of the shapes that coincide, in the order of the file
 };
 
-/// Proof of a tie: every sphere and every face of a box is moved by 1e-8 of the scene's extent, in several patterns.
-/// When that changes the pixel by more than the tolerance, and one of the outcomes is the reference's value within
-/// the tolerance, then what is seen there hangs on a distance below 1e-8 of the scene, and the reference decided
-/// it in one of the possible ways. (POV-Ray takes the nearest of two hits only when they are 1e-4 units apart,
-/// which is 1e-8 of the exported scene.)
-TieReport prove_ties(const Scene& scene, const Camera& camera, const RenderOptions& options, const Image& reference,
-                     const std::vector<PixelPlace>& pixels, double tolerance);
+/// Proof of a tie: every sphere and every face of a box is moved by 1e-8 of the scene's extent, in several
+/// patterns. When that changes the pixel by more than the tolerance, and one of the outcomes is the
+/// reference's value within the tolerance, then what is seen there hangs on a distance below 1e-8 of the
+/// scene, and the reference decided it in one of the possible ways. (POV-Ray takes the nearest of two hits
+/// only when they are 1e-4 units apart, which is 1e-8 of the exported scene.)
+TieReport prove_ties(const Scene& scene, const Camera& camera, const RenderOptions& options,
+                     const Image& reference, const std::vector<PixelPlace>& pixels, double tolerance);
 
 }  // namespace plumb::references

@@ -110,9 +110,9 @@ void verify_scene(const VerifyOptions& options, const Source& source, int thread
   result.height = options.size ? options.size->height : request.height;
   const Camera& camera = scene.camera(options.camera.empty() ? request.camera : options.camera);
   const auto exported = exporters::export_povray(scene, camera, result.width, result.height, options.render);
-  const Image reference =
-      source.picture({exported.text, result.width, result.height, exported.needs_flat_objects, options.time_limit_seconds},
-                     result);
+  const Image reference = source.picture(
+      {exported.text, result.width, result.height, exported.needs_flat_objects, options.time_limit_seconds},
+      result);
   textbook::RenderJob job;
   job.width = result.width;
   job.height = result.height;
@@ -163,7 +163,8 @@ const char* to_string(Status status) {
 
 int VerifyReport::exit_code() const {
   const auto has = [&](Status status) {
-    return std::any_of(scenes.begin(), scenes.end(), [&](const SceneResult& s) { return s.status == status; });
+    return std::any_of(scenes.begin(), scenes.end(),
+                       [&](const SceneResult& s) { return s.status == status; });
   };
   if (has(Status::error)) return 2;
   return has(Status::differ) ? 1 : 0;

@@ -25,15 +25,15 @@ struct Size {
 };
 
 struct VerifyOptions {
-  std::optional<Size> size;           ///< instead of the scene's own
-  std::string camera;                 ///< instead of the scene's own, when not empty
+  std::optional<Size> size;  ///< instead of the scene's own
+  std::string camera;        ///< instead of the scene's own, when not empty
   double tolerance = 1e-6;
   Dialect dialect;
   RenderOptions render;
   textbook::RealType real = textbook::RealType::float64;
-  bool stored = false;                ///< compare with stored images, start no POV-Ray
-  int jobs = 0;                       ///< scenes at once; 0: as many as keep the machine busy
-  double time_limit_seconds = 600;    ///< for one run of POV-Ray
+  bool stored = false;              ///< compare with stored images, start no POV-Ray
+  int jobs = 0;                     ///< scenes at once; 0: as many as keep the machine busy
+  double time_limit_seconds = 600;  ///< for one run of POV-Ray
 };
 
 struct SceneResult {
@@ -44,21 +44,22 @@ struct SceneResult {
   int height = 0;
   Comparison comparison;
   TieReport ties;
-  double seconds_ours = 0;        ///< of CPU time
-  double seconds_reference = 0;   ///< of CPU time, when it was rendered
+  double seconds_ours = 0;       ///< of CPU time
+  double seconds_reference = 0;  ///< of CPU time, when it was rendered
   bool cached = false;
 };
 
 struct VerifyReport {
   std::string reference_version;
-  std::string notice;                 ///< to be said loudly: stored images are used because ...
-  std::vector<SceneResult> scenes;    ///< in the order asked for
+  std::string notice;               ///< to be said loudly: stored images are used because ...
+  std::vector<SceneResult> scenes;  ///< in the order asked for
 
   /// 0 all agree, 1 some differ, 2 trouble.
   int exit_code() const;
 };
 
-/// One bad scene never stops the others. `done` is called in the order of the scenes, from one thread at a time.
+/// One bad scene never stops the others. `done` is called in the order of the scenes, from one thread at a
+/// time.
 VerifyReport verify(const std::vector<std::string>& scenes, const VerifyOptions& options,
                     const std::function<void(const SceneResult&)>& done);
 

@@ -18,12 +18,13 @@ struct Options {
 
 void refuse_if_unlike(const Options& options, const ImageFile& reference, const ImageFile& test) {
   const auto shape = [](const ImageFile& i) {
-    return std::to_string(i.width) + " x " + std::to_string(i.height) + " pixels of " + std::to_string(i.channels) +
-           " channels";
+    return std::to_string(i.width) + " x " + std::to_string(i.height) + " pixels of " +
+           std::to_string(i.channels) + " channels";
   };
-  if (reference.width == test.width && reference.height == test.height && reference.channels == test.channels) return;
-  throw std::invalid_argument(options.test + ": found " + shape(test) + ", expected " + shape(reference) + " as in " +
-                              options.reference);
+  if (reference.width == test.width && reference.height == test.height && reference.channels == test.channels)
+    return;
+  throw std::invalid_argument(options.test + ": found " + shape(test) + ", expected " + shape(reference) +
+                              " as in " + options.reference);
 }
 
 std::string components(const std::vector<float>& values) {
@@ -38,10 +39,10 @@ std::string components(const std::vector<float>& values) {
 
 void print(const references::Comparison& c) {
   if (c.non_finite > 0) std::printf("not finite   %zu pixels\n", c.non_finite);
-  std::printf("max error    %.9g\nmean error   %.9g\nRMS error    %.9g\npixels over  %zu of %zu\n", c.max_error,
-              c.mean_error, c.rms_error, c.pixels_over, c.pixels);
-  std::printf("worst pixel  (%d, %d): test %s, reference %s\n", c.worst.x, c.worst.y, components(c.worst.test).c_str(),
-              components(c.worst.reference).c_str());
+  std::printf("max error    %.9g\nmean error   %.9g\nRMS error    %.9g\npixels over  %zu of %zu\n",
+              c.max_error, c.mean_error, c.rms_error, c.pixels_over, c.pixels);
+  std::printf("worst pixel  (%d, %d): test %s, reference %s\n", c.worst.x, c.worst.y,
+              components(c.worst.test).c_str(), components(c.worst.reference).c_str());
   std::printf("%s\n", c.agrees() ? "agree" : "differ");
 }
 
@@ -53,9 +54,14 @@ int run_compare(const Options& options) {
                                      options.tolerance);
   if (options.json != "-") print(c);
   if (!options.json.empty()) {
-    Json json{{"tool", "plumb"},           {"version", PLUMB_VERSION}, {"reference", options.reference},
-              {"test", options.test},      {"status", c.agrees() ? "agree" : "differ"},
-              {"tolerance", options.tolerance}, {"width", test.width}, {"height", test.height}};
+    Json json{{"tool", "plumb"},
+              {"version", PLUMB_VERSION},
+              {"reference", options.reference},
+              {"test", options.test},
+              {"status", c.agrees() ? "agree" : "differ"},
+              {"tolerance", options.tolerance},
+              {"width", test.width},
+              {"height", test.height}};
     json.update(to_json(c));
     json["worst"]["test"] = c.worst.test;
     json["worst"].erase("ours");
@@ -67,18 +73,22 @@ int run_compare(const Options& options) {
 }  // namespace
 
 Command add_compare(CLI::App& plumb) {
-  CLI::App* app = plumb.add_subcommand("compare", "Compare two image files of the same size, value by value.");
+  CLI::App* app =
+      plumb.add_subcommand("compare", "Compare two image files of the same size, value by value.");
   auto options = std::make_shared<Options>();
   app->add_option("REFERENCE", options->reference, "image that is taken to be right")->required();
   app->add_option("TEST", options->test, "image to be judged")->required();
-  app->add_option("--tolerance", options->tolerance, "largest error of a component, relative above 1, that agrees")
+  app->add_option("--tolerance", options->tolerance,
+                  "largest error of a component, relative above 1, that agrees")
       ->type_name("T")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
-  app->add_option("--json", options->json, "write the results as JSON; - is standard output")->type_name("FILE");
-  app->footer("Example: plumb compare reference.exr mine.exr --tolerance 0.001\n"
-              "Values are compared as they stand in the files; 8 and 16 bits count from 0 to 1.\n"
-              "Exit codes: 0 agree, 1 differ, 2 trouble.");
+  app->add_option("--json", options->json, "write the results as JSON; - is standard output")
+      ->type_name("FILE");
+  app->footer(
+      "Example: plumb compare reference.exr mine.exr --tolerance 0.001\n"
+      "Values are compared as they stand in the files; 8 and 16 bits count from 0 to 1.\n"
+      "Exit codes: 0 agree, 1 differ, 2 trouble.");
   return {app, [options] { return run_compare(*options); }};
 }
 

@@ -3,7 +3,7 @@
 #include "exporters/povray.hpp"
 #include "references/cli/commands.hpp"
 #include "references/cli/options.hpp"
-#include "tracer/image/write_file.hpp"
+#include "tracer/image/files.hpp"
 #include "tracer/scene/reader.hpp"
 
 namespace plumb::cli {
@@ -32,8 +32,12 @@ Command add_export(CLI::App& plumb) {
   CLI::App* app = plumb.add_subcommand("export", "Write the equivalent scene of a reference renderer.");
   auto options = std::make_shared<Options>();
   app->add_option("SCENE", options->scene, "scene file")->required();
-  app->add_option("--to", options->to, "reference renderer")->check(CLI::IsMember({"povray"}))->capture_default_str();
-  app->add_option("-o,--output", options->file, "file; - is standard output")->type_name("FILE")->capture_default_str();
+  app->add_option("--to", options->to, "reference renderer")
+      ->check(CLI::IsMember({"povray"}))
+      ->capture_default_str();
+  app->add_option("-o,--output", options->file, "file; - is standard output")
+      ->type_name("FILE")
+      ->capture_default_str();
   add_scene_options(*app, options->common);
   app->footer("Example: plumb export tests/scenes/phong.sdf -o phong.pov");
   return {app, [options] { return run_export(*options); }};

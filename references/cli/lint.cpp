@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <optional>
 
 #include "references/cli/commands.hpp"
 #include "references/cli/options.hpp"
@@ -20,20 +21,26 @@ struct Linted {
   std::string scene;
   std::string trouble;  ///< the file cannot be read at all
   std::vector<Finding> findings;
-  std::vector<std::string> dialects;
+  std::vector<std::string> dialects;   ///< that read it without an error
+  std::optional<std::string> nearest;  ///< where there is none: the dialect that leaves the fewest errors
+  std::vector<Finding> remaining;      ///< what it leaves
 
   std::ptrdiff_t count(Severity severity) const {
-    return std::count_if(findings.begin(), findings.end(), [&](const Finding& f) { return f.severity == severity; });
+    return std::count_if(findings.begin(), findings.end(),
+                         [&](const Finding& f) { return f.severity == severity; });
   }
   bool is_readable() const { return trouble.empty() && count(Severity::error) == 0; }
 };
 
 Linted lint(const std::string& scene, const Dialect& dialect) {
-  Linted linted{scene, {}, {}, {}};
+  Linted linted{scene, {}, {}, {}, {}, {}};
   try {
     const std::string text = read_text_file(scene);
     linted.findings = read_scene(text, dialect).findings;
-    if (!linted.is_readable()) linted.dialects = propose_dialects(text);
+    if (linted.is_readable()) return linted;
+    linted.dialects = propose_dialects(text);
+    if (linted.dialects.empty()) linted.nearest = nearest_dialect(text);
+    if (linted.nearest) linted.remaining = read_scene(text, parse_dialect(*linted.nearest)).findings;
   } catch (const SceneError& error) {
     linted.trouble = error.what();
   }
@@ -49,28 +56,41 @@ void print(const Linted& linted) {
     std::printf("%s\n", linted.trouble.c_str());
     return;
   }
-  for (const Finding& finding : linted.findings) std::printf("%s\n", to_string(finding, linted.scene).c_str());
+  for (const Finding& finding : linted.findings)
+    std::printf("%s\n", to_string(finding, linted.scene).c_str());
   std::printf("%s: %s, %s\n", linted.scene.c_str(), plural(linted.count(Severity::error), "error").c_str(),
               plural(linted.count(Severity::warning), "warning").c_str());
+  if (linted.nearest) {
+    std::printf("%s: mend these, then --dialect %s can read it:\n", linted.scene.c_str(), linted.nearest->c_str());
+    for (const Finding& f : linted.remaining) {
+      if (f.severity == Severity::error) std::printf("    %s\n", to_string(f, linted.scene).c_str());
+    }
+  }
   if (linted.dialects.empty()) return;
   const char* const several = "it can be read in several ways; only its author knows which is meant:";
   std::printf("%s: %s\n", linted.scene.c_str(), linted.dialects.size() > 1 ? several : "it can be read with");
   for (const std::string& dialect : linted.dialects) std::printf("    --dialect %s\n", dialect.c_str());
 }
 
-Json to_json(const Linted& linted) {
-  Json findings = Json::array();
-  for (const Finding& f : linted.findings) {
-    findings.push_back({{"severity", f.severity == Severity::error ? "error" : "warning"},
-                        {"line", f.line},
-                        {"column", f.column},
-                        {"message", f.message}});
+Json to_json(const std::vector<Finding>& findings) {
+  Json json = Json::array();
+  for (const Finding& f : findings) {
+    json.push_back({{"severity", f.severity == Severity::error ? "error" : "warning"},
+                    {"line", f.line},
+                    {"column", f.column},
+                    {"message", f.message}});
   }
+  return json;
+}
+
+Json to_json(const Linted& linted) {
   return {{"scene", linted.scene},
           {"status", linted.is_readable() ? "readable" : "error"},
           {"message", linted.trouble},
-          {"findings", findings},
-          {"dialects", linted.dialects}};
+          {"findings", to_json(linted.findings)},
+          {"dialects", linted.dialects},
+          {"nearest_dialect", linted.nearest.value_or("")},
+          {"remaining", to_json(linted.remaining)}};
 }
 
 int run_lint(const Options& options) {
@@ -96,9 +116,12 @@ Command add_lint(CLI::App& plumb) {
       "lint", "Say all that is wrong with scene files, and which dialect would read them.");
   auto options = std::make_shared<Options>();
   app->add_option("SCENE", options->scenes, "scene files")->required()->expected(-1);
-  app->add_option("--json", options->json, "write the findings as JSON; - is standard output")->type_name("FILE");
+  app->add_option("--json", options->json, "write the findings as JSON; - is standard output")
+      ->type_name("FILE");
   add_dialect(*app, options->common);
-  app->footer("Example: plumb lint tests/scenes/*.sdf\nExit codes: 0 all can be read (warnings allowed), 2 some cannot.");
+  app->footer(
+      "Example: plumb lint tests/scenes/*.sdf\nExit codes: 0 all can be read (warnings allowed), 2 some "
+      "cannot.");
   return {app, [options] { return run_lint(*options); }};
 }
 

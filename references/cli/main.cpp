@@ -9,8 +9,9 @@ namespace plumb::cli {
 namespace {
 
 int run(int argc, char** argv) {
-  CLI::App app("plumb tells whether a ray tracer is right: it renders a course scene, has POV-Ray render the same "
-               "scene, and compares every pixel.");
+  CLI::App app(
+      "plumb tells whether a ray tracer is right: it renders a course scene, has POV-Ray render the same "
+      "scene, and compares every pixel.");
   app.set_version_flag("--version", "plumb " PLUMB_VERSION);
   app.require_subcommand(1);
   app.footer("Example: plumb verify tests/scenes/*.sdf\nExit codes: 0 agrees, 1 differs, 2 trouble.");

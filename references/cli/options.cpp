@@ -20,20 +20,23 @@ std::optional<int> whole_number(std::string_view text) {
 }  // namespace
 
 void add_dialect(CLI::App& app, SceneOptions& options) {
-  app.add_option("--dialect", options.dialect,
-                 "how the file deviates from the course grammar; parts joined by commas:\n" + describe_dialects())
+  app.add_option(
+         "--dialect", options.dialect,
+         "how the file deviates from the course grammar; parts joined by commas:\n" + describe_dialects())
       ->type_name("NAME");
 }
 
 void add_scene_options(CLI::App& app, SceneOptions& options) {
   app.add_option("--size", options.size, "size of the picture instead of the scene's own")->type_name("WxH");
   app.add_option("--camera", options.camera, "camera instead of the scene's own")->type_name("NAME");
-  app.add_option("--depth", options.depth, "recursion depth D: trace(depth >= D) is black; the primary ray has depth 0")
+  app.add_option("--depth", options.depth,
+                 "recursion depth D: trace(depth >= D) is black; the primary ray has depth 0")
       ->type_name("D")
       ->check(CLI::Range(1, max_depth))
       ->capture_default_str();
   app.add_option("--glass-shadow", options.glass_shadow,
-                 "full: glass blocks light (the lecture); none: it casts no shadow; filtered: light times kt a surface")
+                 "full: glass blocks light (the lecture); none: it casts no shadow; filtered: light times kt "
+                 "a surface")
       ->check(CLI::IsMember({"full", "none", "filtered"}))
       ->capture_default_str();
   add_dialect(app, options);

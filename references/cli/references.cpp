@@ -31,8 +31,8 @@ struct Exported {
 Exported exported(const std::string& path) {
   const Scene scene = load_scene(path, Dialect{});
   const RenderRequest& request = scene.renders.front();
-  const auto povray =
-      exporters::export_povray(scene, scene.camera(request.camera), request.width, request.height, RenderOptions{});
+  const auto povray = exporters::export_povray(scene, scene.camera(request.camera), request.width,
+                                               request.height, RenderOptions{});
   Exported result{{povray.text, request.width, request.height, povray.needs_flat_objects}, "povray"};
   for (const std::string& argument : refs::povray_arguments(result.job)) result.command += " " + argument;
   return result;
@@ -41,11 +41,13 @@ Exported exported(const std::string& path) {
 std::string complaint_about(const refs::StoredReferences& stored, const refs::StoredReference& entry,
                             const refs::Povray& povray) {
   const Exported now = exported(std::string(PLUMB_SOURCE_DIRECTORY) + "/" + entry.scene);
-  if (refs::sha256(now.job.text) != entry.export_sha256) return "the scene is exported to another text than then";
+  if (refs::sha256(now.job.text) != entry.export_sha256)
+    return "the scene is exported to another text than then";
   const Image reference = stored.load(entry);
   const auto c = refs::compare(reference, povray.render(now.job).image, tolerance);
   if (c.agrees()) return {};
-  return std::to_string(c.pixels_over) + " pixels differ from POV-Ray's, by up to " + std::to_string(c.max_error);
+  return std::to_string(c.pixels_over) + " pixels differ from POV-Ray's, by up to " +
+         std::to_string(c.max_error);
 }
 
 int check() {
@@ -61,7 +63,8 @@ int check() {
       complaint = error.what();
     }
     const std::string by = entry.version == version ? "" : " (stored by POV-Ray " + entry.version + ")";
-    std::printf("%-44s %s%s\n", entry.scene.c_str(), complaint.empty() ? "holds" : complaint.c_str(), by.c_str());
+    std::printf("%-44s %s%s\n", entry.scene.c_str(), complaint.empty() ? "holds" : complaint.c_str(),
+                by.c_str());
     std::fflush(stdout);
     failures += complaint.empty() ? 0 : 1;
   }
@@ -102,7 +105,8 @@ int update(const std::vector<std::string>& scenes) {
 Command add_references(CLI::App& plumb) {
   CLI::App* app = plumb.add_subcommand("references", "Check or renew the stored reference images.");
   auto options = std::make_shared<Options>();
-  auto* check_flag = app->add_flag("--check", options->check, "render all of them again with POV-Ray and compare");
+  auto* check_flag =
+      app->add_flag("--check", options->check, "render all of them again with POV-Ray and compare");
   app->add_option("--update", options->update, "scenes whose reference images POV-Ray is to make anew")
       ->type_name("SCENE")
       ->expected(-1)

@@ -30,8 +30,9 @@ int render(const Options& options) {
   const Scene scene = load_scene(options.scene, dialect_of(options.common), warn);
   const View view = view_of(scene, options.common);
   // A scene never chooses the directory it is written to.
-  const std::string path =
-      options.image.empty() ? std::filesystem::path(scene.renders.front().file).filename().string() : options.image;
+  const std::string path = options.image.empty()
+                               ? std::filesystem::path(scene.renders.front().file).filename().string()
+                               : options.image;
   const Encoding encoding = encoding_of(options, path);
   if (const auto complaint = complaint_about(path, encoding)) {
     throw std::invalid_argument(*complaint + (options.image.empty() ? "; or name the image with -o" : ""));
@@ -57,13 +58,15 @@ Command add_render(CLI::App& plumb) {
   CLI::App* app = plumb.add_subcommand("render", "Render a scene to an image.");
   auto options = std::make_shared<Options>();
   app->add_option("SCENE", options->scene, "scene file")->required();
-  app->add_option("-o,--output", options->image,
-                  "image: .exr and .pfm (linear floats), .png, .ppm; - is standard output. Default: the file named by "
-                  "the scene's render line, in the current directory")
+  app->add_option(
+         "-o,--output", options->image,
+         "image: .exr and .pfm (linear floats), .png, .ppm; - is standard output. Default: the file named by "
+         "the scene's render line, in the current directory")
       ->type_name("IMAGE");
-  app->add_option("--encode", options->encode,
-                  "linear; srgb (8 bits); course (tone map c/(c+1), then the framework's truncating 8-bit PPM). "
-                  "Default: linear for floats, srgb for png, course for ppm")
+  app->add_option(
+         "--encode", options->encode,
+         "linear; srgb (8 bits); course (tone map c/(c+1), then the framework's truncating 8-bit PPM). "
+         "Default: linear for floats, srgb for png, course for ppm")
       ->check(CLI::IsMember({"linear", "srgb", "course"}));
   app->add_option("--threads", options->threads, "threads; default: all")->check(CLI::Range(1, 1024));
   add_real(*app, options->common);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "tracer/image/write_file.hpp"
+#include "tracer/image/files.hpp"
 
 namespace plumb::cli {
 namespace {
@@ -28,8 +28,11 @@ std::string indented(const std::string& message) {
 }
 
 Json scene_json(const SceneResult& r) {
-  Json json{{"scene", r.scene}, {"status", to_string(r.status)}, {"message", r.message},
-            {"width", r.width}, {"height", r.height}};
+  Json json{{"scene", r.scene},
+            {"status", to_string(r.status)},
+            {"message", r.message},
+            {"width", r.width},
+            {"height", r.height}};
   json.update(plumb::cli::to_json(r.comparison));
   json["ties"] = {{"pixels", r.ties.proven}, {"shapes", r.ties.shapes}};
   json["seconds"] = {{"ours", r.seconds_ours}, {"reference", r.seconds_reference}};
@@ -45,7 +48,8 @@ Json to_json(const references::Comparison& c) {
           {"rms_error", c.rms_error},
           {"pixels_over", c.pixels_over},
           {"non_finite", c.non_finite},
-          {"worst", {{"x", c.worst.x}, {"y", c.worst.y}, {"ours", c.worst.test}, {"reference", c.worst.reference}}}};
+          {"worst",
+           {{"x", c.worst.x}, {"y", c.worst.y}, {"ours", c.worst.test}, {"reference", c.worst.reference}}}};
 }
 
 Json to_json(const references::VerifyReport& report) {
@@ -68,14 +72,15 @@ std::string table_head() {
 
 std::string table_row(const SceneResult& r) {
   constexpr std::size_t width = 34;
-  const std::string name = r.scene.size() <= width ? r.scene : "..." + r.scene.substr(r.scene.size() - width + 3);
+  const std::string name =
+      r.scene.size() <= width ? r.scene : "..." + r.scene.substr(r.scene.size() - width + 3);
   std::string row = formatted("%-34s ", name.c_str());
   if (r.status == Status::error) {
     row += formatted("%10s %10s %8s %6s  ", "-", "-", "-", "-");
   } else {
     const std::string size = std::to_string(r.width) + "x" + std::to_string(r.height);
-    row += formatted("%10s %10.2g %8zu %6zu  ", size.c_str(), r.comparison.max_error, r.comparison.pixels_over,
-                     r.ties.proven);
+    row += formatted("%10s %10.2g %8zu %6zu  ", size.c_str(), r.comparison.max_error,
+                     r.comparison.pixels_over, r.ties.proven);
   }
   row += std::string(to_string(r.status)) + (r.cached ? " (cached)" : "");
   if (!r.message.empty()) row += "\n      " + indented(r.message);

@@ -69,7 +69,8 @@ Command add_verify(CLI::App& plumb) {
   app->add_option("--jobs", options->jobs, "scenes at once; default: as many as keep the machine busy")
       ->type_name("N")
       ->check(CLI::Range(1, 256));
-  app->add_option("--json", options->json, "write the results as JSON; - is standard output")->type_name("FILE");
+  app->add_option("--json", options->json, "write the results as JSON; - is standard output")
+      ->type_name("FILE");
   add_real(*app, options->common);
   add_scene_options(*app, options->common);
   app->footer(

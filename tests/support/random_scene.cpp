@@ -33,7 +33,9 @@ class Generator {
   int whole(int low, int high) { return std::uniform_int_distribution(low, high)(random_); }
   bool chance(double p) { return real(0, 1) < p; }
   Vec3d vector(double size) { return {real(-size, size), real(-size, size), real(-size, size)}; }
-  Rgbd colour(double most) { return chance(0.3) ? Rgbd(real(0, most)) : Rgbd(real(0, most), real(0, most), real(0, most)); }
+  Rgbd colour(double most) {
+    return chance(0.3) ? Rgbd(real(0, most)) : Rgbd(real(0, most), real(0, most), real(0, most));
+  }
   std::string name(const char* what, std::size_t number) { return what + std::to_string(number); }
 
   void add_material() {
@@ -51,13 +53,17 @@ class Generator {
     scene_.materials.push_back(m);
   }
 
-  MaterialId any_material() { return static_cast<MaterialId>(whole(0, static_cast<int>(scene_.materials.size()) - 1)); }
+  MaterialId any_material() {
+    return static_cast<MaterialId>(whole(0, static_cast<int>(scene_.materials.size()) - 1));
+  }
 
   /// Not flush with anything, so that no faces coincide.
   void add_floor() {
     const double top = real(-4, -2.5);
-    scene_.shapes.push_back({name("s", scene_.shapes.size()),
-                             Box{{real(-20, -10), top - 1, -30}, {real(10, 20), top, real(5, 9)}, any_material()}, {}});
+    scene_.shapes.push_back(
+        {name("s", scene_.shapes.size()),
+         Box{{real(-20, -10), top - 1, -30}, {real(10, 20), top, real(5, 9)}, any_material()},
+         {}});
   }
 
   void add_leaf() {
@@ -85,7 +91,8 @@ class Generator {
   void add_composite() {
     Composite composite;
     for (int i = whole(1, 3); i > 0; --i) {
-      composite.children.push_back(static_cast<ShapeId>(whole(0, static_cast<int>(scene_.shapes.size()) - 1)));
+      composite.children.push_back(
+          static_cast<ShapeId>(whole(0, static_cast<int>(scene_.shapes.size()) - 1)));
     }
     Shape shape{name("s", scene_.shapes.size()), composite, {}};
     // A child that stands twice at the same place coincides with itself: every parent moves it.
@@ -93,13 +100,15 @@ class Generator {
     shape.transform.emplace_back(Rotate{real(-60, 60), vector(1) + Vec3d(0, 1.5, 0)});
     if (chance(0.4)) add_steps(shape.transform);
     std::sort(composite.children.begin(), composite.children.end());
-    composite.children.erase(std::unique(composite.children.begin(), composite.children.end()), composite.children.end());
+    composite.children.erase(std::unique(composite.children.begin(), composite.children.end()),
+                             composite.children.end());
     shape.geometry = composite;
     scene_.shapes.push_back(shape);
   }
 
   void add_light() {
-    scene_.lights.push_back({name("l", scene_.lights.size()), vector(8) + Vec3d(0, 4, 0), colour(0.7), real(0.3, 1.2)});
+    scene_.lights.push_back(
+        {name("l", scene_.lights.size()), vector(8) + Vec3d(0, 4, 0), colour(0.7), real(0.3, 1.2)});
   }
 
   void add_camera() {

@@ -11,8 +11,9 @@ struct RandomScene {
   RenderOptions options;
 };
 
-/// A few to 26 spheres and boxes about 1 unit in size within some 10 units, in composites with shared children,
-/// mirrored, sheared and scaled; coloured lights; RGB coefficients; mirrors; nested glass; sometimes the eye in it.
+/// A few to 26 spheres and boxes about 1 unit in size within some 10 units, in composites with shared
+/// children, mirrored, sheared and scaled; coloured lights; RGB coefficients; mirrors; nested glass;
+/// sometimes the eye in it.
 RandomScene random_scene(unsigned seed);
 
 }  // namespace plumb::tests

@@ -8,7 +8,6 @@
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
-#include <iterator>
 #include <stdexcept>
 
 namespace plumb::tests {
@@ -35,7 +34,9 @@ constexpr unsigned longest_run_seconds = 120;
   _exit(127);
 }
 
-double seconds(const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec); }
+double seconds(const timeval& t) {
+  return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+}
 
 }  // namespace
 
@@ -47,8 +48,9 @@ Outcome run_plumb(const std::vector<std::string>& arguments, const std::string& 
   int status = 0;
   rusage usage{};
   wait4(child, &status, 0, &usage);
-  Outcome outcome{WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), read_file(directory + "/.out"),
-                  read_file(directory + "/.err"), seconds(usage.ru_utime) + seconds(usage.ru_stime)};
+  Outcome outcome{WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
+                  read_file(directory + "/.out"), read_file(directory + "/.err"),
+                  seconds(usage.ru_utime) + seconds(usage.ru_stime)};
   return outcome;
 }
 
@@ -57,11 +59,8 @@ std::string Workplace::file(const std::string& name, const std::string& text) co
   return path(name);
 }
 
-std::string read_file(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
+std::string source_path(const std::string& relative) {
+  return std::string(PLUMB_SOURCE_DIRECTORY) + "/" + relative;
 }
-
-std::string source_path(const std::string& relative) { return std::string(PLUMB_SOURCE_DIRECTORY) + "/" + relative; }
 
 }  // namespace plumb::tests

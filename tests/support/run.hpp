@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "references/process.hpp"
+#include "tracer/image/files.hpp"
 
 namespace plumb::tests {
 
@@ -32,8 +33,6 @@ class Workplace {
  private:
   references::TemporaryDirectory directory_;
 };
-
-std::string read_file(const std::string& path);
 
 /// Absolute path of a file of the repository.
 std::string source_path(const std::string& relative);

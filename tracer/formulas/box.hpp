@@ -37,8 +37,7 @@ Corners<Real> box_from_center(const Vec3<Real>& center, const Vec3<Real>& edges)
 /// where it leaves. No value for a miss. A ray that starts on `start_face` leaves that
 /// plane for good, so it is never met again: no epsilon is needed.
 template <class Real>
-std::optional<FaceHit<Real>> intersect_box(const Ray<Real>& ray, const Corners<Real>& box,
-                                           Face start_face) {
+std::optional<FaceHit<Real>> intersect_box(const Ray<Real>& ray, const Corners<Real>& box, Face start_face) {
   FaceHit<Real> enter{-std::numeric_limits<Real>::infinity(), no_face};
   FaceHit<Real> leave{std::numeric_limits<Real>::infinity(), no_face};
   for (int axis = 0; axis < 3; ++axis) {

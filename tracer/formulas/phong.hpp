@@ -62,9 +62,8 @@ Rgb<Real> ambient_light(const Rgb<Real>& intensity, const Rgb<Real>& ka) {
 
 /// Slide "Vollstaendiges Modell", one light: Ip delta (kd (l.n) + ks (r.v)^m) per colour channel.
 template <class Real>
-Rgb<Real> reflected_intensity(const Rgb<Real>& intensity, const Rgb<Real>& delta,
-                              const Rgb<Real>& kd, Real diffuse_factor, const Rgb<Real>& ks,
-                              Real specular_factor) {
+Rgb<Real> reflected_intensity(const Rgb<Real>& intensity, const Rgb<Real>& delta, const Rgb<Real>& kd,
+                              Real diffuse_factor, const Rgb<Real>& ks, Real specular_factor) {
   return intensity * delta * (kd * diffuse_factor + ks * specular_factor);
 }
 

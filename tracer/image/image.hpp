@@ -13,7 +13,8 @@ struct Image {
   std::vector<float> rgb;
 
   Image() = default;
-  Image(int w, int h) : width(w), height(h), rgb(3 * static_cast<std::size_t>(w) * static_cast<std::size_t>(h)) {}
+  Image(int w, int h)
+      : width(w), height(h), rgb(3 * static_cast<std::size_t>(w) * static_cast<std::size_t>(h)) {}
 
   std::size_t offset(int x, int y) const {
     return 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x));

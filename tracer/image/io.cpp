@@ -1,21 +1,15 @@
 #include "tracer/image/io.hpp"
 
 #include <dlfcn.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <stdexcept>
 
 #include "tracer/image/oiio_module.hpp"
-#include "tracer/image/write_file.hpp"
+#include "tracer/image/files.hpp"
 
 namespace plumb {
 namespace {
@@ -71,16 +65,6 @@ void write_through_oiio(const std::string& path, const Image& image, Encoding en
   put_in_place(aside, path);
 }
 
-std::string read_bytes(const std::string& path) {
-  struct stat info {};
-  if (stat(path.c_str(), &info) != 0) throw std::runtime_error(path + ": cannot be read: " + std::strerror(errno));
-  if (S_ISDIR(info.st_mode)) throw std::runtime_error(path + ": is a directory, expected an image");
-  std::ifstream file(path, std::ios::binary);
-  std::string bytes{std::istreambuf_iterator<char>(file), {}};
-  if (!file.good() && !file.eof()) throw std::runtime_error(path + ": cannot be read");
-  return bytes;
-}
-
 }  // namespace
 
 Encoding default_encoding(const std::string& path) {
@@ -115,11 +99,14 @@ void write_image(const std::string& path, const Image& image, Encoding encoding)
 
 ImageFile read_image(const std::string& path) {
   const std::string extension = extension_of(path);
-  if (extension == ".pfm") return from_pfm(read_bytes(path), path);
-  if (extension == ".ppm") return from_ppm(read_bytes(path), path);
-  struct stat info {};
-  if (stat(path.c_str(), &info) != 0) throw std::runtime_error(path + ": cannot be read: " + std::strerror(errno));
-  if (S_ISDIR(info.st_mode)) throw std::runtime_error(path + ": is a directory, expected an image");
+  if (extension == ".pfm") return from_pfm(read_file(path), path);
+  if (extension == ".ppm") return from_ppm(read_file(path), path);
+  std::error_code error;
+  const auto kind = std::filesystem::status(path, error).type();
+  if (kind == std::filesystem::file_type::not_found) throw std::runtime_error(path + ": there is no such file");
+  if (kind == std::filesystem::file_type::directory) {
+    throw std::runtime_error(path + ": is a directory, expected an image");
+  }
   oiio::Pixels pixels;
   const std::string complaint = symbol<oiio::Read>(oiio::read_symbol)(path, pixels);
   if (!complaint.empty()) throw std::runtime_error(path + ": cannot be read: " + complaint);

@@ -13,8 +13,8 @@ namespace plumb {
 /// The encoding for a file that nobody chose one for: floats linear, PPM as the course, others sRGB.
 Encoding default_encoding(const std::string& path);
 
-/// Writes PFM and PPM itself, EXR (float, zip), PNG and the rest through OpenImageIO, which is loaded only then.
-/// PNG is 16 bits when linear, 8 otherwise. `-` writes to standard output: PFM when linear, else PPM.
+/// Writes PFM and PPM itself, EXR (float, zip), PNG and the rest through OpenImageIO, which is loaded only
+/// then. PNG is 16 bits when linear, 8 otherwise. `-` writes to standard output: PFM when linear, else PPM.
 /// Throws std::runtime_error; then nothing half-written is left.
 void write_image(const std::string& path, const Image& image, Encoding encoding);
 

@@ -78,7 +78,8 @@ std::string to_pfm(const Image& image) {
   const std::size_t row = 3 * sizeof(float) * static_cast<std::size_t>(image.width);
   std::size_t at = bytes.size();
   bytes.resize(at + row * static_cast<std::size_t>(image.height));
-  for (int y = image.height - 1; y >= 0; --y, at += row) std::memcpy(bytes.data() + at, image.pixel(0, y), row);
+  for (int y = image.height - 1; y >= 0; --y, at += row)
+    std::memcpy(bytes.data() + at, image.pixel(0, y), row);
   return bytes;
 }
 
@@ -100,7 +101,8 @@ ImageFile from_pfm(std::string_view bytes, const std::string& name) {
   const double scale = tokens.number<double>();
   if (scale == 0) tokens.fail("its scale is 0, expected -1 or 1");
   const std::string_view data = tokens.data();
-  if (data.size() < value_count(file) * sizeof(float)) tokens.fail("it ends too early: the file is truncated");
+  if (data.size() < value_count(file) * sizeof(float))
+    tokens.fail("it ends too early: the file is truncated");
   file.values.resize(value_count(file));
   const std::size_t row = static_cast<std::size_t>(file.width) * static_cast<std::size_t>(file.channels);
   for (std::size_t y = 0; y < static_cast<std::size_t>(file.height); ++y) {
@@ -124,7 +126,8 @@ ImageFile from_ppm(std::string_view bytes, const std::string& name) {
   if (magic == "P3") {
     for (std::size_t i = 0; i < value_count(file); ++i) {
       const int value = tokens.number<int>();
-      if (value < 0 || value > most) tokens.fail("found value " + std::to_string(value) + ", expected 0 to " + std::to_string(most));
+      if (value < 0 || value > most)
+        tokens.fail("found value " + std::to_string(value) + ", expected 0 to " + std::to_string(most));
       file.values.push_back(static_cast<float>(value) / static_cast<float>(most));
     }
     return file;

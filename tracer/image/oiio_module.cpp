@@ -29,7 +29,8 @@ extern "C" {
 #pragma GCC diagnostic ignored "-Wreturn-type-c-linkage"
 #endif
 
-std::string plumb_oiio_write(const std::string& path, const plumb::oiio::Pixels& pixels, plumb::oiio::Depth depth) {
+std::string plumb_oiio_write(const std::string& path, const plumb::oiio::Pixels& pixels,
+                             plumb::oiio::Depth depth) {
   const auto out = plumb::oiio::lib::ImageOutput::create(path);
   if (!out) return plumb::oiio::lib::geterror();
   if (!out->open(path, plumb::oiio::spec_for(pixels, depth))) return out->geterror();
@@ -43,7 +44,8 @@ std::string plumb_oiio_read(const std::string& path, plumb::oiio::Pixels& pixels
   if (!in) return plumb::oiio::lib::geterror();
   const auto& spec = in->spec();
   constexpr double most_values = 4.0 * (1 << 28);
-  if (static_cast<double>(spec.width) * spec.height * spec.nchannels > most_values) return "its size is out of range";
+  if (static_cast<double>(spec.width) * spec.height * spec.nchannels > most_values)
+    return "its size is out of range";
   pixels.width = spec.width;
   pixels.height = spec.height;
   pixels.channels = spec.nchannels;

@@ -1,5 +1,5 @@
-// The boundary of the module that links OpenImageIO (0.3 s of CPU and 129 MiB at every process start, so it is
-// a shared object of its own that is loaded on demand).
+// The boundary of the module that links OpenImageIO (0.3 s of CPU and 129 MiB at every process start, so it
+// is a shared object of its own that is loaded on demand).
 #pragma once
 
 #include <string>

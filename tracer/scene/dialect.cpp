@@ -31,13 +31,16 @@ struct Part {
 constexpr std::array<Part, 9> parts{{
     {"strict", "the course grammar (the default)", [](Dialect&) {}},
     {"loose",
-     "spellings that cannot be misread: // comments, 'define ambient|background|transform|render', 'amblight', one "
-     "number for a grey, 'rotateX a', 'light ambient|diffuse NAME', a resolution after the camera, other orders in "
+     "spellings that cannot be misread: // comments, 'define ambient|background|transform|render', "
+     "'amblight', one "
+     "number for a grey, 'rotateX a', 'light ambient|diffuse NAME', a resolution after the camera, other "
+     "orders in "
      "'render', 'image . ppm', a missing blank after 'define', a negative radius",
      [](Dialect& d) { d.loose = true; }},
     {"pre", "successive transforms pre-multiply, M = T M (the default)",
      [](Dialect& d) { d.order = TransformOrder::pre; }},
-    {"post", "successive transforms post-multiply, M = M T", [](Dialect& d) { d.order = TransformOrder::post; }},
+    {"post", "successive transforms post-multiply, M = M T",
+     [](Dialect& d) { d.order = TransformOrder::post; }},
     {"trs", "M = T R S whatever the order of the lines", [](Dialect& d) { d.order = TransformOrder::trs; }},
     {"la-ld", "a light of nine numbers is position, La, Ld; ambient = sum of La (sheet of 2015)",
      [](Dialect& d) { d.nine = NineNumbers::la_ld; }},
@@ -66,8 +69,8 @@ std::optional<std::vector<MaterialField>> parse_material_layout(std::string_view
     const auto* known = std::find_if(field_names.begin(), field_names.end(),
                                      [&](const FieldName& f) { return f.name == piece; });
     if (known == field_names.end()) return std::nullopt;
-    const bool repeated =
-        known->field != MaterialField::ignored && std::find(fields.begin(), fields.end(), known->field) != fields.end();
+    const bool repeated = known->field != MaterialField::ignored &&
+                          std::find(fields.begin(), fields.end(), known->field) != fields.end();
     if (repeated) return std::nullopt;
     fields.push_back(known->field);
   }
@@ -82,13 +85,15 @@ std::optional<std::vector<MaterialField>> parse_material_layout(std::string_view
 Dialect parse_dialect(std::string_view names) {
   Dialect dialect;
   for (const std::string_view name : split(names, ',')) {
-    const auto* part = std::find_if(parts.begin(), parts.end(), [&](const Part& p) { return p.name == name; });
+    const auto* part =
+        std::find_if(parts.begin(), parts.end(), [&](const Part& p) { return p.name == name; });
     if (part != parts.end()) {
       part->apply(dialect);
     } else if (const auto layout = parse_material_layout(name)) {
       dialect.material = *layout;
     } else {
-      throw std::invalid_argument("unknown dialect '" + std::string(name) + "'; known are\n" + describe_dialects());
+      throw std::invalid_argument("unknown dialect '" + std::string(name) + "'; known are\n" +
+                                  describe_dialects());
     }
   }
   return dialect;
@@ -115,9 +120,8 @@ std::vector<std::string> known_material_layouts(std::size_t numbers_after_m) {
     case 2:
       return {"refl-opacity", "refl-transparency", "ior-opacity", "ior-transparency"};
     case 3:
-      return {"refl-opacity-ior",   "refl-transparency-ior",  "refl-ior-opacity",
-              "refl-ior-transparency", "gloss-opacity-ior",   "gloss-transparency-ior",
-              "ior-opacity-gloss",  "ior-transparency-gloss"};
+      return {"refl-opacity-ior",  "refl-transparency-ior",  "refl-ior-opacity",  "refl-ior-transparency",
+              "gloss-opacity-ior", "gloss-transparency-ior", "ior-opacity-gloss", "ior-transparency-gloss"};
     case 4:
       return {"opacity-refl-ior-rough", "transparency-refl-ior-rough"};
     default:

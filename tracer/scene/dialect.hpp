@@ -31,9 +31,9 @@ enum class NineNumbers { refused, la_ld, brightness_rgb };
 struct Dialect {
   std::vector<MaterialField> material{MaterialField::shininess};
   TransformOrder order = TransformOrder::pre;
-  bool loose = false;                     ///< spellings that cannot be misread
-  bool light_color = false;               ///< a light of six numbers: position, colour
-  bool la_ld_brightness = false;          ///< a light of ten: position, La, Ld, brightness
+  bool loose = false;             ///< spellings that cannot be misread
+  bool light_color = false;       ///< a light of six numbers: position, colour
+  bool la_ld_brightness = false;  ///< a light of ten: position, La, Ld, brightness
   NineNumbers nine = NineNumbers::refused;
 };
 

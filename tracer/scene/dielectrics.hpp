@@ -15,6 +15,7 @@ struct EnclosingDielectric {
 
 /// The transmissive spheres and boxes that contain the point, outermost first: a ray from the point in the
 /// given direction leaves them in the reverse order.
-std::vector<EnclosingDielectric> dielectrics_around(const Scene& scene, const Vec3d& point, const Vec3d& direction);
+std::vector<EnclosingDielectric> dielectrics_around(const Scene& scene, const Vec3d& point,
+                                                    const Vec3d& direction);
 
 }  // namespace plumb

@@ -46,7 +46,8 @@ bool is_finite(const Mat4<double>& m) {
 std::vector<std::size_t> depth_below(const Scene& scene, const std::vector<ShapeId>& order) {
   std::vector<std::size_t> depth(scene.shapes.size(), 0);
   for (const ShapeId id : order) {
-    for (const ShapeId child : children_of(scene.shapes[id])) depth[id] = std::max(depth[id], depth[child] + 1);
+    for (const ShapeId child : children_of(scene.shapes[id]))
+      depth[id] = std::max(depth[id], depth[child] + 1);
   }
   return depth;
 }
@@ -60,7 +61,8 @@ std::vector<std::uint64_t> count_instances(const Scene& scene, const std::vector
   std::vector<std::uint64_t> count(scene.shapes.size(), 0);
   for (const ShapeId id : order) {
     if (material_of(scene.shapes[id]) != nullptr) count[id] = 1;
-    for (const ShapeId child : children_of(scene.shapes[id])) count[id] = saturating_add(count[id], count[child]);
+    for (const ShapeId child : children_of(scene.shapes[id]))
+      count[id] = saturating_add(count[id], count[child]);
   }
   return count;
 }
@@ -82,7 +84,8 @@ HierarchyError cycle_error(const Scene& scene, const std::vector<ShapeId>& order
     path += " > '" + scene.shapes[step].name + "'";
   }
   path += step == at ? " > '" + scene.shapes[at].name + "'" : " > ...";
-  return {at, "found a composite that contains itself (" + path + "), expected no cycle; remove one of these children"};
+  return {at, "found a composite that contains itself (" + path +
+                  "), expected no cycle; remove one of these children"};
 }
 
 }  // namespace
@@ -101,8 +104,9 @@ std::vector<HierarchyError> check_hierarchy(const Scene& scene) {
   for (const ShapeId root : scene.roots()) {
     total = saturating_add(total, count[root]);
     if (depth[root] > max_nesting) {
-      errors.push_back({root, "found composites nested " + std::to_string(depth[root]) + " deep, expected at most " +
-                                  std::to_string(max_nesting) + "; put children side by side"});
+      errors.push_back({root, "found composites nested " + std::to_string(depth[root]) +
+                                  " deep, expected at most " + std::to_string(max_nesting) +
+                                  "; put children side by side"});
     }
     if (total > max_instances && total - count[root] <= max_instances) {
       errors.push_back({root, "found more than " + std::to_string(max_instances) +
@@ -115,9 +119,10 @@ std::vector<HierarchyError> check_hierarchy(const Scene& scene) {
     const auto& transform = instance.world_from_object;
     if (is_reported[instance.shape] || (is_finite(transform.matrix) && is_finite(transform.inverse))) return;
     is_reported[instance.shape] = true;
-    errors.push_back({instance.shape,
-                      "found a transform of '" + scene.shapes[instance.shape].name +
-                          "' that overflows, expected a matrix and an inverse of finite numbers; use smaller factors"});
+    errors.push_back(
+        {instance.shape,
+         "found a transform of '" + scene.shapes[instance.shape].name +
+             "' that overflows, expected a matrix and an inverse of finite numbers; use smaller factors"});
   });
   return errors;
 }

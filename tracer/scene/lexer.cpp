@@ -74,7 +74,8 @@ std::string quoted(std::string_view text) {
   return shown + (text.size() > longest ? "...'" : "'");
 }
 
-std::optional<std::string> nearest_name(std::string_view name, const std::vector<std::string_view>& candidates) {
+std::optional<std::string> nearest_name(std::string_view name,
+                                        const std::vector<std::string_view>& candidates) {
   constexpr std::size_t longest = 64;
   if (name.size() > longest) return std::nullopt;
   std::optional<std::string> nearest;

@@ -28,6 +28,7 @@ Number parse_number(std::string_view text);
 std::string quoted(std::string_view text);
 
 /// The candidate nearest to `name` by edit distance (Levenshtein, 1966), if one is near enough to be a slip.
-std::optional<std::string> nearest_name(std::string_view name, const std::vector<std::string_view>& candidates);
+std::optional<std::string> nearest_name(std::string_view name,
+                                        const std::vector<std::string_view>& candidates);
 
 }  // namespace plumb

@@ -1,10 +1,10 @@
 // From files to scenes, and from unreadable files to the dialect that would read them.
+#include <sys/stat.h>
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
 #include <set>
-#include <sys/stat.h>
 
 #include "tracer/scene/reader.hpp"
 
@@ -14,8 +14,10 @@ namespace {
 constexpr std::size_t largest_file = std::size_t{1} << 30;
 constexpr std::size_t most_lines_shown = 5;
 
+/// A dialect that was tried, and what it says.
 struct Candidate {
   std::string dialect;
+  std::size_t errors;
   std::size_t warnings;
 };
 
@@ -40,12 +42,43 @@ std::string join(const std::set<std::string>& parts, const std::string& last) {
   return joined;
 }
 
+std::size_t count_errors(const ReadResult& result) {
+  return static_cast<std::size_t>(std::count_if(result.findings.begin(), result.findings.end(),
+                                                [](const Finding& f) { return f.severity == Severity::error; }));
+}
+
+/// The dialects that the findings under the course grammar suggest, those with the fewest errors and warnings first.
+std::vector<Candidate> candidates_for(std::string_view text) {
+  constexpr int rounds = 3;  // what one part cures may have hidden what another must
+  Wanted wanted;
+  for (int round = 0; round < rounds; ++round) {
+    const std::string so_far = join(wanted.parts, "");
+    const ReadResult result = read_scene(text, so_far.empty() ? Dialect{} : parse_dialect(so_far));
+    wanted = wanted_by(result, wanted);
+  }
+  std::vector<std::string> layouts = known_material_layouts(wanted.extra_numbers);
+  if (layouts.empty()) layouts.emplace_back();
+  std::vector<Candidate> candidates;
+  for (const std::string& layout : layouts) {
+    const std::string name = join(wanted.parts, layout);
+    if (name.empty()) continue;
+    const ReadResult result = read_scene(text, parse_dialect(name));
+    const std::size_t errors = count_errors(result);
+    candidates.push_back({name, errors, result.findings.size() - errors});
+  }
+  std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
+    return std::pair(a.errors, a.warnings) < std::pair(b.errors, b.warnings);
+  });
+  return candidates;
+}
+
 }  // namespace
 
 std::string read_text_file(const std::string& path) {
   struct stat info {};
   if (stat(path.c_str(), &info) != 0) throw SceneError(path + ": cannot be read: " + std::strerror(errno));
-  if (S_ISDIR(info.st_mode)) throw SceneError(path + ": is a directory, expected a scene file; name a file in it");
+  if (S_ISDIR(info.st_mode))
+    throw SceneError(path + ": is a directory, expected a scene file; name a file in it");
   if (info.st_size > static_cast<off_t>(largest_file)) throw SceneError(path + ": is larger than 1 GiB");
   std::ifstream file(path, std::ios::binary);
   if (!file) throw SceneError(path + ": cannot be opened: " + std::strerror(errno));
@@ -78,27 +111,18 @@ Scene load_scene(const std::string& path, const Dialect& dialect, void (*warn)(c
 }
 
 std::vector<std::string> propose_dialects(std::string_view text) {
-  Wanted wanted;
-  // What one part cures may hide what another must: twice is enough, as no part uncovers more than numbers.
-  for (int round = 0; round < 3; ++round) {
-    const std::string so_far = join(wanted.parts, "");
-    const ReadResult result = read_scene(text, so_far.empty() ? Dialect{} : parse_dialect(so_far));
-    wanted = wanted_by(result, wanted);
-  }
-  std::vector<std::string> layouts = known_material_layouts(wanted.extra_numbers);
-  if (layouts.empty()) layouts.emplace_back();
-  std::vector<Candidate> candidates;
-  for (const std::string& layout : layouts) {
-    const std::string name = join(wanted.parts, layout);
-    if (name.empty()) continue;
-    const ReadResult result = read_scene(text, parse_dialect(name));
-    if (!result.has_errors()) candidates.push_back({name, result.findings.size()});
-  }
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.warnings < b.warnings; });
   std::vector<std::string> names;
-  for (const Candidate& candidate : candidates) names.push_back(candidate.dialect);
+  for (const Candidate& candidate : candidates_for(text)) {
+    if (candidate.errors == 0) names.push_back(candidate.dialect);
+  }
   return names;
+}
+
+std::optional<std::string> nearest_dialect(std::string_view text) {
+  const auto candidates = candidates_for(text);
+  if (candidates.empty() || candidates.front().errors == 0) return std::nullopt;
+  const bool helps = candidates.front().errors < count_errors(read_scene(text));
+  return helps ? std::optional(candidates.front().dialect) : std::nullopt;
 }
 
 }  // namespace plumb

@@ -3,58 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <unordered_map>
 
-#include "tracer/scene/hierarchy.hpp"
+#include "tracer/scene/draft.hpp"
 #include "tracer/scene/lexer.hpp"
 
 namespace plumb {
 namespace {
 
-constexpr int largest_side = 65535;
-constexpr double largest_pixel_count = 1 << 28;
-
-struct Place {
-  int line = 0;
-  int column = 0;
-};
-
-/// A name that was used before everything is defined, to be looked up at the end.
-struct Reference {
-  std::string_view name;
-  Place place;
-};
-
-std::string count_of(std::size_t n, const char* one) { return std::to_string(n) + " " + one + (n == 1 ? "" : "s"); }
-
-double rounded_to_float32(double x) { return static_cast<double>(static_cast<float>(x)); }
-
-/// Names of one kind (materials, shapes, lights, cameras) and where they were defined.
-class Names {
- public:
-  /// The line of an earlier definition of the same name, or nothing.
-  std::optional<int> define(std::string_view name, std::size_t id, int line) {
-    const auto [it, is_new] = ids_.try_emplace(name, Entry{id, line});
-    return is_new ? std::nullopt : std::optional<int>(it->second.line);
-  }
-  std::optional<std::size_t> find(std::string_view name) const {
-    const auto it = ids_.find(name);
-    return it == ids_.end() ? std::nullopt : std::optional<std::size_t>(it->second.id);
-  }
-  std::vector<std::string_view> all() const {
-    std::vector<std::string_view> names;
-    for (const auto& [name, entry] : ids_) names.push_back(name);
-    std::sort(names.begin(), names.end());
-    return names;
-  }
-
- private:
-  struct Entry {
-    std::size_t id;
-    int line;
-  };
-  std::unordered_map<std::string_view, Entry> ids_;
-};
+std::string count_of(std::size_t n, const char* one) {
+  return std::to_string(n) + " " + one + (n == 1 ? "" : "s");
+}
 
 class Reader {
  public:
@@ -68,11 +26,16 @@ class Reader {
       read_line(text.substr(0, end));
       text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
     }
-    if (!is_binary_) finish();
-    std::stable_sort(result_.findings.begin(), result_.findings.end(), [](const Finding& a, const Finding& b) {
+    draft_.last_line = line_;
+    if (!is_binary_ && !has_statements_) {
+      say(Severity::error, {1, 1}, "found no statement, expected a scene; the file is empty");
+    } else if (!is_binary_) {
+      resolve(draft_, dialect_.order);
+    }
+    std::stable_sort(draft_.findings.begin(), draft_.findings.end(), [](const Finding& a, const Finding& b) {
       return std::pair(a.line, a.column) < std::pair(b.line, b.column);
     });
-    return std::move(result_);
+    return {std::move(draft_.scene), std::move(draft_.findings)};
   }
 
  private:
@@ -81,8 +44,7 @@ class Reader {
   // --- what is said about the file ---------------------------------------------------------
 
   Finding& say(Severity severity, Place place, std::string message, std::string remedy = {}) {
-    result_.findings.push_back({severity, place.line, place.column, std::move(message), std::move(remedy)});
-    return result_.findings.back();
+    return draft_.say(severity, place, std::move(message), std::move(remedy));
   }
   Place place_of(const Token& token) const { return {line_, token.column}; }
   Place end_of(const Tokens& tokens) const {
@@ -91,7 +53,9 @@ class Reader {
   void error(const Token& token, std::string message, std::string remedy = {}) {
     say(Severity::error, place_of(token), "found " + quoted(token.text) + ", " + message, std::move(remedy));
   }
-  void warning(const Token& token, std::string message) { say(Severity::warning, place_of(token), std::move(message)); }
+  void warning(const Token& token, std::string message) {
+    say(Severity::warning, place_of(token), std::move(message));
+  }
 
   /// Accepts a spelling of the loose dialect, or reports it; the reading goes on in both cases.
   void loose(const Token& token, const std::string& expected) {
@@ -117,9 +81,10 @@ class Reader {
   static Vec3d vec3(const std::vector<double>& v, std::size_t at) { return {v[at], v[at + 1], v[at + 2]}; }
 
   /// Reports that a statement has another count of numbers than its grammar.
-  void wrong_count(const Tokens& tokens, std::size_t found, const std::string& expected, std::string remedy = {}) {
-    say(Severity::error, place_of(tokens.front()), "found " + count_of(found, "number") + ", expected " + expected,
-        std::move(remedy));
+  void wrong_count(const Tokens& tokens, std::size_t found, const std::string& expected,
+                   std::string remedy = {}) {
+    say(Severity::error, place_of(tokens.front()),
+        "found " + count_of(found, "number") + ", expected " + expected, std::move(remedy));
   }
 
   void not_negative(const Token& name, const Rgbd& colour, const char* what) {
@@ -153,8 +118,9 @@ class Reader {
     const std::string_view word = keyword.text;
     if (word == "define") return define(tokens);
     tokens.erase(tokens.begin());
-    if (word == "ambient") return colour_statement(keyword, tokens, result_.scene.ambient, ambient_line_);
-    if (word == "background") return colour_statement(keyword, tokens, result_.scene.background, background_line_);
+    if (word == "ambient") return colour_statement(keyword, tokens, draft_.scene.ambient, ambient_line_);
+    if (word == "background")
+      return colour_statement(keyword, tokens, draft_.scene.background, background_line_);
     if (word == "camera") return camera(keyword, tokens);
     if (word == "transform") return transform(keyword, tokens);
     if (word == "render") return render(keyword, tokens);
@@ -162,7 +128,8 @@ class Reader {
       loose(keyword, "'render CAMERA FILE XRES YRES'");
       return dialect_.loose ? render(keyword, tokens) : void();
     }
-    unknown_word(keyword, "a statement", {"define", "ambient", "background", "camera", "transform", "render"});
+    unknown_word(keyword, "a statement",
+                 {"define", "ambient", "background", "camera", "transform", "render"});
   }
 
   /// `definematerial red ...`
@@ -177,20 +144,23 @@ class Reader {
     tokens.insert(tokens.begin() + 1, Token{rest, first.column + static_cast<int>(define.size())});
   }
 
-  void unknown_word(const Token& token, const std::string& expected, const std::vector<std::string_view>& known) {
+  void unknown_word(const Token& token, const std::string& expected,
+                    const std::vector<std::string_view>& known) {
     std::string list;
     for (const std::string_view word : known) {
       if (!list.empty()) list += word == known.back() ? " or " : ", ";
       list += word;
     }
     const auto nearest = nearest_name(token.text, known);
-    error(token, "expected " + expected + ": " + list + (nearest ? "; did you mean '" + *nearest + "'?" : ""));
+    error(token,
+          "expected " + expected + ": " + list + (nearest ? "; did you mean '" + *nearest + "'?" : ""));
   }
 
   void define(Tokens& tokens) {
     const Token keyword = tokens.front();
     if (tokens.size() < 2) {
-      say(Severity::error, end_of(tokens), "found the end of the line, expected material, shape, light or camera");
+      say(Severity::error, end_of(tokens),
+          "found the end of the line, expected material, shape, light or camera");
       return;
     }
     const Token kind = tokens[1];
@@ -199,13 +169,13 @@ class Reader {
     if (kind.text == "shape") return shape(kind, tokens);
     if (kind.text == "light") return light(kind, tokens);
     if (kind.text == "camera") return camera(kind, tokens);
-    if (kind.text == "ambient" || kind.text == "amblight" || kind.text == "background" || kind.text == "transform" ||
-        kind.text == "render") {
+    if (kind.text == "ambient" || kind.text == "amblight" || kind.text == "background" ||
+        kind.text == "transform" || kind.text == "render") {
       const bool is_ambient = kind.text == "amblight" || kind.text == "ambient";
       loose(keyword, "'" + std::string(is_ambient ? "ambient" : kind.text) + "' without 'define'");
-      if (is_ambient) return colour_statement(kind, tokens, result_.scene.ambient, ambient_line_);
+      if (is_ambient) return colour_statement(kind, tokens, draft_.scene.ambient, ambient_line_);
       if (kind.text == "background") {
-        return colour_statement(kind, tokens, result_.scene.background, background_line_);
+        return colour_statement(kind, tokens, draft_.scene.background, background_line_);
       }
       return kind.text == "transform" ? transform(kind, tokens) : render(kind, tokens);
     }
@@ -237,8 +207,8 @@ class Reader {
 
   void material(const Token& keyword, Tokens& tokens) {
     const auto name = take_name(keyword, tokens, "material");
-    if (!name || !is_new(materials_, *name, result_.scene.materials.size(), "material")) return;
-    place_of_material_.push_back(place_of(*name));
+    if (!name || !is_new(draft_.material_names, *name, draft_.scene.materials.size(), "material")) return;
+    draft_.materials.push_back(place_of(*name));
     Material made;
     made.name = name->text;
     const Tokens keywords = split_off_keywords(tokens);
@@ -249,7 +219,7 @@ class Reader {
     not_negative(*name, made.ks, "ks");
     not_negative(*name, made.mirror, "mirror");
     not_negative(*name, made.transmit, "transmit");
-    result_.scene.materials.push_back(made);
+    draft_.scene.materials.push_back(made);
   }
 
   static Tokens split_off_keywords(Tokens& tokens) {
@@ -272,11 +242,11 @@ class Reader {
     }
     if (v.size() > expected) {
       wrong_count({name}, v.size(),
-                  expected == colours + 1
-                      ? "10: ka kd ks (three numbers each) and m; what follows m needs a name: mirror r g b, transmit r "
-                        "g b, eta x, or a --dialect that says what it means by position"
-                      : "at most " + std::to_string(expected) + " in this dialect");
-      result_.findings.back().extra_numbers = v.size() - colours - 1;
+                  expected == colours + 1 ? "10: ka kd ks (three numbers each) and m; what follows m needs a "
+                                            "name: mirror r g b, transmit r "
+                                            "g b, eta x, or a --dialect that says what it means by position"
+                                          : "at most " + std::to_string(expected) + " in this dialect");
+      draft_.findings.back().extra_numbers = v.size() - colours - 1;
       return;
     }
     made.ka = vec3(v, 0);
@@ -287,7 +257,8 @@ class Reader {
     }
     if (v.size() > colours + 1) {
       if (m_at >= v.size() - colours) return wrong_count({name}, v.size(), std::to_string(expected));
-      for (std::size_t i = 0; colours + i < v.size(); ++i) field(name, dialect_.material[i], v[colours + i], made);
+      for (std::size_t i = 0; colours + i < v.size(); ++i)
+        field(name, dialect_.material[i], v[colours + i], made);
     }
     if (made.m < 0) error(name, "expected m >= 0 in this material");
   }
@@ -356,18 +327,15 @@ class Reader {
     }
     tokens.erase(tokens.begin());
     const auto name = take_name(kind, tokens, "shape");
-    if (!name || !is_new(shapes_, *name, result_.scene.shapes.size(), "shape")) return;
+    if (!name || !is_new(draft_.shape_names, *name, draft_.scene.shapes.size(), "shape")) return;
     Shape made;
     made.name = name->text;
-    material_of_shape_.emplace_back();
-    children_of_shape_.emplace_back();
-    transform_lines_.emplace_back();
-    place_of_shape_.push_back(place_of(*name));
+    draft_.shapes.push_back({place_of(*name), {}, {}, {}});
     if (kind.text == "composite") {
       composite(*name, tokens);
       made.geometry = Composite{};
     } else if (!tokens.empty()) {
-      material_of_shape_.back() = Reference{tokens.back().text, place_of(tokens.back())};
+      draft_.shapes.back().material = Reference{tokens.back().text, place_of(tokens.back())};
       const Token material = tokens.back();
       tokens.pop_back();
       if (const auto values = numbers(tokens, 0)) {
@@ -375,17 +343,19 @@ class Reader {
       }
     } else {
       say(Severity::error, end_of({*name}),
-          kind.text == "sphere" ? "found the end of the line, expected center (3 numbers), radius and material"
-                                : "found the end of the line, expected two corners (6 numbers) and a material");
+          kind.text == "sphere"
+              ? "found the end of the line, expected center (3 numbers), radius and material"
+              : "found the end of the line, expected two corners (6 numbers) and a material");
     }
-    result_.scene.shapes.push_back(std::move(made));
+    draft_.scene.shapes.push_back(std::move(made));
   }
 
   void unknown_shape(const Token& kind, const Tokens& tokens) {
     std::string hint;
     if (kind.text == "triangle" || kind.text == "cone" || kind.text == "cylinder" || kind.text == "plane") {
       hint = "; the lecture has no " + std::string(kind.text) +
-             (kind.text == "plane" ? ": a large box serves" : ": remove the line, or build it from boxes and spheres");
+             (kind.text == "plane" ? ": a large box serves"
+                                   : ": remove the line, or build it from boxes and spheres");
     } else if (tokens.size() > 4 && parse_number(tokens[1].text).complaint.empty()) {
       hint = "; the kind of the shape is missing before its name";
     } else if (const auto nearest = nearest_name(kind.text, {"sphere", "box", "composite"})) {
@@ -393,8 +363,8 @@ class Reader {
     }
     error(kind, "expected sphere, box or composite" + hint);
     // Known, though broken: whoever refers to it gets no second error.
-    if (tokens.size() > 1) broken_shapes_.push_back(tokens[1].text);
-    broken_shapes_.push_back(kind.text);
+    if (tokens.size() > 1) draft_.broken_shapes.push_back(tokens[1].text);
+    draft_.broken_shapes.push_back(kind.text);
   }
 
   /// A material at the end is a name; a number there means that the name is missing.
@@ -402,10 +372,9 @@ class Reader {
                    const char* what) {
     const bool missing = parse_number(material.text).complaint.empty();
     wrong_count({name}, found + (missing ? 1 : 0),
-                std::string(what) + " and the name of a material" + (missing && found + 1 == expected
-                                                                         ? "; the material is missing at the end"
-                                                                         : ""));
-    if (missing) material_of_shape_.back().reset();
+                std::string(what) + " and the name of a material" +
+                    (missing && found + 1 == expected ? "; the material is missing at the end" : ""));
+    if (missing) draft_.shapes.back().material.reset();
   }
 
   void sphere(const Token& name, const Token& material, const std::vector<double>& v, Shape& made) {
@@ -418,7 +387,8 @@ class Reader {
     if (!(radius > 0)) {
       say(Severity::error, place_of(name),
           "found radius " + std::to_string(radius) + " of " + quoted(name.text) + ", expected a radius > 0" +
-              (radius < 0 ? "; remove the minus sign (or --dialect loose)" : "; remove the sphere or enlarge it"),
+              (radius < 0 ? "; remove the minus sign (or --dialect loose)"
+                          : "; remove the sphere or enlarge it"),
           radius < 0 ? "loose" : "");
     }
     made.geometry = Sphere{vec3(v, 0), radius, 0};
@@ -431,9 +401,10 @@ class Reader {
 
   void composite(const Token& name, const Tokens& tokens) {
     if (tokens.empty()) {
-      say(Severity::error, end_of({name}), "found the end of the line, expected the names of the composite's children");
+      say(Severity::error, end_of({name}),
+          "found the end of the line, expected the names of the composite's children");
     }
-    for (const Token& child : tokens) children_of_shape_.back().push_back({child.text, place_of(child)});
+    for (const Token& child : tokens) draft_.shapes.back().children.push_back({child.text, place_of(child)});
   }
 
   // --- lights, ambient, background ---------------------------------------------------------
@@ -444,12 +415,12 @@ class Reader {
       return light_by_kind(tokens);
     }
     const auto name = take_name(keyword, tokens, "light");
-    if (!name || !is_new(lights_, *name, result_.scene.lights.size(), "light")) return;
+    if (!name || !is_new(draft_.light_names, *name, draft_.scene.lights.size(), "light")) return;
     Light made;
     made.name = name->text;
     if (const auto values = numbers(tokens, 0)) light_numbers(*name, *values, made);
     not_negative(*name, made.intensity(), "intensity");
-    result_.scene.lights.push_back(made);
+    draft_.scene.lights.push_back(made);
   }
 
   void light_numbers(const Token& name, const std::vector<double>& v, Light& made) {
@@ -466,7 +437,7 @@ class Reader {
     } else if ((v.size() == 9 && dialect_.nine == NineNumbers::la_ld) ||
                (v.size() == 10 && dialect_.la_ld_brightness)) {
       if (v.size() == 10) made.brightness = v[9];
-      ambient_of_lights_ += made.brightness * made.color;
+      draft_.ambient_of_lights += made.brightness * made.color;
       made.color = vec3(v, 6);
     } else {
       const bool known = v.size() == 6 || v.size() == 9 || v.size() == 10;
@@ -474,9 +445,10 @@ class Reader {
                                  : v.size() == 9  ? "la-ld"
                                  : v.size() == 10 ? "la-ld-brightness"
                                                   : "";
-      wrong_count({name}, v.size(),
-                  "7: position x y z, color r g b, brightness" + (known ? " (or --dialect " + remedy + ")" : ""),
-                  remedy);
+      wrong_count(
+          {name}, v.size(),
+          "7: position x y z, color r g b, brightness" + (known ? " (or --dialect " + remedy + ")" : ""),
+          remedy);
     }
   }
 
@@ -491,9 +463,9 @@ class Reader {
       return wrong_count({name}, values->size(), is_ambient ? "3: r g b" : "6: position x y z, color r g b");
     }
     if (is_ambient) {
-      ambient_of_lights_ += vec3(*values, 0);
-    } else if (is_new(lights_, name, result_.scene.lights.size(), "light")) {
-      result_.scene.lights.push_back({std::string(name.text), vec3(*values, 0), vec3(*values, 3), 1});
+      draft_.ambient_of_lights += vec3(*values, 0);
+    } else if (is_new(draft_.light_names, name, draft_.scene.lights.size(), "light")) {
+      draft_.scene.lights.push_back({std::string(name.text), vec3(*values, 0), vec3(*values, 3), 1});
     }
   }
 
@@ -503,8 +475,8 @@ class Reader {
     if (values->size() == 1) loose(keyword, "three numbers r g b, not a single grey one");
     if (values->size() != 1 && values->size() != 3) return wrong_count({keyword}, values->size(), "3: r g b");
     if (earlier_line != 0) {
-      warning(keyword, "'" + std::string(keyword.text) + "' is given again; line " + std::to_string(earlier_line) +
-                           " no longer counts");
+      warning(keyword, "'" + std::string(keyword.text) + "' is given again; line " +
+                           std::to_string(earlier_line) + " no longer counts");
     }
     earlier_line = line_;
     colour = values->size() == 1 ? Rgbd((*values)[0]) : vec3(*values, 0);
@@ -514,14 +486,13 @@ class Reader {
 
   void camera(const Token& keyword, Tokens& tokens) {
     const auto name = take_name(keyword, tokens, "camera");
-    if (!name || !is_new(cameras_, *name, result_.scene.cameras.size(), "camera")) return;
+    if (!name || !is_new(draft_.camera_names, *name, draft_.scene.cameras.size(), "camera")) return;
     Camera made;
     made.name = name->text;
-    place_of_camera_.push_back(place_of(*name));
-    camera_transform_lines_.emplace_back();
+    draft_.cameras.push_back({place_of(*name), {}});
     const auto values = numbers(tokens, 0);
     if (values) camera_numbers(*name, *values, made);
-    result_.scene.cameras.push_back(std::move(made));
+    draft_.scene.cameras.push_back(std::move(made));
   }
 
   void camera_numbers(const Token& name, const std::vector<double>& v, Camera& made) {
@@ -539,8 +510,7 @@ class Reader {
       error(name, "expected a camera with 0 < fov-x < 180 degrees, not " + std::to_string(v[0]));
     }
     if (v.size() == 3) {
-      camera_resolution_ = {static_cast<int>(std::clamp(v[1], 0.0, 1e9)), static_cast<int>(std::clamp(v[2], 0.0, 1e9)),
-                            place_of(name)};
+      draft_.camera_resolution = {v[1], v[2], place_of(name)};
     } else if (v.size() >= 4) {
       made.eye = vec3(v, 1);
     }
@@ -553,21 +523,17 @@ class Reader {
 
   // --- transform ---------------------------------------------------------------------------
 
-  struct TransformLine {
-    Reference target;
-    TransformStep step;
-  };
-
   void transform(const Token& keyword, Tokens& tokens) {
     const auto target = take_name(keyword, tokens, "shape or camera");
     if (!target) return;
     if (tokens.empty()) {
-      say(Severity::error, end_of({*target}), "found the end of the line, expected translate, rotate or scale");
+      say(Severity::error, end_of({*target}),
+          "found the end of the line, expected translate, rotate or scale");
       return;
     }
     const Token kind = tokens.front();
     if (const auto step = transform_step(kind, tokens)) {
-      transforms_.push_back({{target->text, place_of(*target)}, *step});
+      draft_.transforms.push_back({{target->text, place_of(*target)}, *step});
     }
   }
 
@@ -602,24 +568,21 @@ class Reader {
 
   std::optional<TransformStep> scale_step(const Token& kind, const Vec3d& by) {
     if (by.x != 0 && by.y != 0 && by.z != 0) return Scale{by};
-    error(kind, "expected no factor of 0: it flattens the object so that it has no inverse; use a small factor");
+    error(kind,
+          "expected no factor of 0: it flattens the object so that it has no inverse; use a small factor");
     return std::nullopt;
   }
 
   std::optional<TransformStep> rotate_step(const Token& kind, double degrees, const Vec3d& axis) {
     if (axis != Vec3d(0) && std::isnormal(glm::dot(axis, axis))) return Rotate{degrees, axis};
-    error(kind, "expected a rotation axis that has a direction, not " + std::string(axis == Vec3d(0)
-                    ? "0 0 0; give an axis such as 0 1 0, or remove the line"
-                    : "one as long or short as this; give an axis such as 0 1 0"));
+    error(kind,
+          "expected a rotation axis that has a direction, not " +
+              std::string(axis == Vec3d(0) ? "0 0 0; give an axis such as 0 1 0, or remove the line"
+                                           : "one as long or short as this; give an axis such as 0 1 0"));
     return std::nullopt;
   }
 
   // --- render ------------------------------------------------------------------------------
-
-  struct RenderLine {
-    Reference camera;
-    RenderRequest request;
-  };
 
   void render(const Token& keyword, Tokens& tokens) {
     if (keyword.text == "render" && render_strict(tokens)) return;
@@ -643,7 +606,8 @@ class Reader {
       error(width, "expected at most 268435456 pixels in all; choose a smaller size");
       return true;
     }
-    renders_.push_back({{camera.text, place_of(camera)}, {std::string(camera.text), std::string(file), *w, *h}});
+    draft_.renders.push_back(
+        {{camera.text, place_of(camera)}, {std::string(camera.text), std::string(file), *w, *h}});
     return true;
   }
 
@@ -655,15 +619,16 @@ class Reader {
   }
 
   void render_hint(const Token& keyword, const Tokens& tokens) {
-    const bool blank_in_name =
-        std::any_of(tokens.begin(), tokens.end(), [](const Token& t) { return t.text.front() == '.' && !is_number(t); });
+    const bool blank_in_name = std::any_of(
+        tokens.begin(), tokens.end(), [](const Token& t) { return t.text.front() == '.' && !is_number(t); });
     if (blank_in_name && tokens.size() > 4) {
       return error(tokens.size() > 1 ? tokens[1] : keyword,
                    "expected a file name without blanks: write image.ppm (or --dialect loose)", "loose");
     }
     const bool readable = std::count_if(tokens.begin(), tokens.end(), is_number) != 1 && !tokens.empty();
-    error(keyword, "expected 'render CAMERA FILE XRES YRES' with nothing else" +
-                       std::string(readable ? " (or --dialect loose)" : ""),
+    error(keyword,
+          "expected 'render CAMERA FILE XRES YRES' with nothing else" +
+              std::string(readable ? " (or --dialect loose)" : ""),
           readable ? "loose" : "");
   }
 
@@ -675,8 +640,8 @@ class Reader {
     for (const Token& token : tokens) {
       if (is_number(token)) {
         sizes.push_back(token);
-      } else if (token.text.front() == '.' && !token.text.starts_with("./") && !token.text.starts_with("../") &&
-                 !words.empty()) {
+      } else if (token.text.front() == '.' && !token.text.starts_with("./") &&
+                 !token.text.starts_with("../") && !words.empty()) {
         file = (file.empty() ? std::string(words.back().text) : file) + std::string(token.text);
       } else if (!file.empty() && file.back() == '.') {
         file += token.text;
@@ -688,7 +653,7 @@ class Reader {
       return error(keyword, "expected 'render CAMERA FILE XRES YRES'");
     }
     if (sizes.size() == 3) warning(sizes[2], "number of samples ignored: one sample a pixel is traced");
-    RenderLine line;
+    Draft::RenderLine line;
     line.camera.place = place_of(keyword);
     for (const Token& word : words) {
       const bool names_file = word.text.find('.') != std::string_view::npos;
@@ -710,214 +675,23 @@ class Reader {
     } else {
       warning(keyword, "no size given: 480 x 320");
     }
-    renders_.push_back(std::move(line));
-  }
-
-  // --- the end of the file -----------------------------------------------------------------
-
-  void finish() {
-    if (!has_statements_) {
-      say(Severity::error, {1, 1}, "found no statement, expected a scene; the file is empty");
-      return;
-    }
-    result_.scene.ambient += ambient_of_lights_;
-    resolve_materials();
-    resolve_children();
-    resolve_transforms();
-    resolve_cameras();
-    check_materials();
-    if (!result_.has_errors()) {
-      for (HierarchyError& e : check_hierarchy(result_.scene)) {
-        say(Severity::error, place_of_shape_[e.shape], std::move(e.message));
-      }
-    }
-    if (result_.scene.shapes.empty() && !result_.has_errors()) {
-      say(Severity::warning, {line_, 1}, "no shapes: the picture is background only");
-    }
-    if (result_.scene.lights.empty() && !result_.scene.shapes.empty()) {
-      say(Severity::warning, {line_, 1}, "no lights: only ambient light is seen");
-    }
-  }
-
-  template <class Use>
-  void look_up(const Names& names, const Reference& reference, const char* what, Use use) {
-    if (const auto id = names.find(reference.name)) {
-      use(*id);
-      return;
-    }
-    const auto nearest = nearest_name(reference.name, names.all());
-    say(Severity::error, reference.place,
-        "found " + quoted(reference.name) + ", expected the name of a " + what + " that is defined; " +
-            (nearest ? "did you mean '" + *nearest + "'?" : "define it"));
-  }
-
-  void resolve_materials() {
-    for (ShapeId id = 0; id < result_.scene.shapes.size(); ++id) {
-      if (!material_of_shape_[id]) continue;
-      look_up(materials_, *material_of_shape_[id], "material", [&](MaterialId material) {
-        auto& geometry = result_.scene.shapes[id].geometry;
-        if (auto* sphere = std::get_if<Sphere>(&geometry)) sphere->material = material;
-        if (auto* box = std::get_if<Box>(&geometry)) box->material = material;
-      });
-    }
-  }
-
-  bool is_broken(std::string_view name) const {
-    return std::find(broken_shapes_.begin(), broken_shapes_.end(), name) != broken_shapes_.end();
-  }
-
-  void resolve_children() {
-    for (ShapeId id = 0; id < result_.scene.shapes.size(); ++id) {
-      auto* composite = std::get_if<Composite>(&result_.scene.shapes[id].geometry);
-      if (composite == nullptr) continue;
-      for (const Reference& child : children_of_shape_[id]) {
-        if (is_broken(child.name) && !shapes_.find(child.name)) continue;
-        look_up(shapes_, child, "shape", [&](ShapeId child_id) { composite->children.push_back(child_id); });
-      }
-    }
-  }
-
-  void resolve_transforms() {
-    for (const TransformLine& line : transforms_) {
-      const auto camera_id = cameras_.find(line.target.name);
-      const auto shape_id = shapes_.find(line.target.name);
-      if (camera_id && shape_id) {
-        say(Severity::error, line.target.place,
-            "found " + quoted(line.target.name) + ", expected a name that is not both a camera and a shape; rename one");
-      } else if (camera_id) {
-        camera_transform_lines_[*camera_id].push_back(line.step);
-      } else if (shape_id || !is_broken(line.target.name)) {
-        look_up(shapes_, line.target, "shape or camera", [&](ShapeId id) { transform_lines_[id].push_back(line.step); });
-      }
-    }
-    for (ShapeId id = 0; id < result_.scene.shapes.size(); ++id) {
-      result_.scene.shapes[id].transform = in_order_of_action(std::move(transform_lines_[id]));
-    }
-    for (std::size_t id = 0; id < result_.scene.cameras.size(); ++id) {
-      result_.scene.cameras[id].transform = in_order_of_action(std::move(camera_transform_lines_[id]));
-    }
-  }
-
-  std::vector<TransformStep> in_order_of_action(std::vector<TransformStep> lines) const {
-    if (dialect_.order == TransformOrder::post) std::reverse(lines.begin(), lines.end());
-    if (dialect_.order == TransformOrder::trs) {
-      const auto rank = [](const TransformStep& s) {
-        return std::holds_alternative<Scale>(s) ? 0 : std::holds_alternative<Rotate>(s) ? 1 : 2;
-      };
-      std::stable_sort(lines.begin(), lines.end(), [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
-    }
-    return lines;
-  }
-
-  void resolve_cameras() {
-    Scene& scene = result_.scene;
-    const Place last_line{line_, 1};
-    if (scene.cameras.empty()) {
-      scene.cameras.emplace_back();
-      cameras_.define(scene.cameras.back().name, 0, 0);
-      place_of_camera_.push_back(last_line);
-      say(Severity::warning, last_line, "no camera: one named 'default' at the origin, looking along -z, fov-x 45");
-    }
-    for (std::size_t id = 0; id < scene.cameras.size(); ++id) check_pose(scene.cameras[id], place_of_camera_[id]);
-    for (RenderLine& line : renders_) {
-      if (line.camera.name.empty()) {
-        line.request.camera = scene.cameras.front().name;
-        if (scene.cameras.size() > 1) {
-          say(Severity::warning, line.camera.place, "no camera named: the first one, '" + line.request.camera + "'");
-        }
-      } else {
-        look_up(cameras_, line.camera, "camera",
-                [&](std::size_t id) { line.request.camera = scene.cameras[id].name; });
-      }
-      scene.renders.push_back(line.request);
-    }
-    if (scene.renders.size() > 1) {
-      say(Severity::warning, renders_[1].camera.place, "more than one render: the first one counts");
-    }
-    if (scene.renders.empty()) default_render(last_line);
-  }
-
-  void default_render(Place last_line) {
-    RenderRequest request;
-    request.camera = result_.scene.cameras.front().name;
-    if (camera_resolution_) {
-      request.width = std::clamp(camera_resolution_->width, 1, largest_side);
-      request.height = std::clamp(camera_resolution_->height, 1, largest_side);
-      if (request.width != camera_resolution_->width || request.height != camera_resolution_->height ||
-          static_cast<double>(request.width) * request.height > largest_pixel_count) {
-        say(Severity::error, camera_resolution_->place, "found a resolution out of range, expected 1 to 65535 a side");
-      }
-    } else {
-      say(Severity::warning, last_line,
-          "no render: camera '" + request.camera + "', image.ppm, 480 x 320 are taken");
-    }
-    result_.scene.renders.push_back(request);
-  }
-
-  void check_pose(const Camera& camera, Place place) {
-    const auto pose = pose_of<double>(camera);
-    const Vec3d side = glm::cross(glm::normalize(pose.direction), glm::normalize(pose.up));
-    const double length = glm::dot(side, side);
-    if (std::isfinite(glm::dot(pose.eye, pose.eye)) && std::isfinite(length) && length > 1e-24) return;
-    const char* what = camera.direction == Vec3d(0) ? "a direction of 0 0 0, expected a direction; 0 0 -1 looks along -z"
-                       : camera.up == Vec3d(0)      ? "an up vector of 0 0 0, expected a direction; 0 1 0 is upwards"
-                                                    : "a direction and an up vector that are parallel or not finite, "
-                                                      "expected two directions; try 0 1 0 or 0 0 1 as up";
-    say(Severity::error, place, "found camera " + quoted(camera.name) + " with " + what);
-  }
-
-  void check_materials() {
-    for (MaterialId id = 0; id < result_.scene.materials.size(); ++id) {
-      Material& material = result_.scene.materials[id];
-      const double eta = rounded_to_float32(material.eta);
-      if (material.transmits() && !(eta > 0 && std::isfinite(eta))) {
-        say(Severity::error, place_of_material_[id],
-            "found " + quoted(material.name) + " with refractive index " + std::to_string(material.eta) +
-                ", expected one > 0 for a material that transmits; glass has 1.5");
-      }
-      material.eta = eta > 0 && std::isfinite(eta) ? eta : 1;
-    }
+    draft_.renders.push_back(std::move(line));
   }
 
   const Dialect& dialect_;
-  ReadResult result_;
+  Draft draft_;
   int line_ = 0;
   bool is_binary_ = false;
   bool has_statements_ = false;
   int ambient_line_ = 0;
   int background_line_ = 0;
-
-  Names materials_;
-  Names shapes_;
-  Names lights_;
-  Names cameras_;
-  std::vector<std::string_view> broken_shapes_;
-
-  Rgbd ambient_of_lights_{0};  // sum of La
-
-  // Parallel to scene.materials, scene.shapes and scene.cameras.
-  std::vector<Place> place_of_material_;
-  std::vector<std::optional<Reference>> material_of_shape_;
-  std::vector<std::vector<Reference>> children_of_shape_;
-  std::vector<std::vector<TransformStep>> transform_lines_;
-  std::vector<Place> place_of_shape_;
-  std::vector<std::vector<TransformStep>> camera_transform_lines_;
-  std::vector<Place> place_of_camera_;
-
-  struct Resolution {
-    int width;
-    int height;
-    Place place;
-  };
-  std::optional<Resolution> camera_resolution_;
-  std::vector<TransformLine> transforms_;
-  std::vector<RenderLine> renders_;
 };
 
 }  // namespace
 
 bool ReadResult::has_errors() const {
-  return std::any_of(findings.begin(), findings.end(), [](const Finding& f) { return f.severity == Severity::error; });
+  return std::any_of(findings.begin(), findings.end(),
+                     [](const Finding& f) { return f.severity == Severity::error; });
 }
 
 ReadResult read_scene(std::string_view text, const Dialect& dialect) { return Reader(dialect).read(text); }

@@ -1,6 +1,7 @@
 // Reads scene text: the course grammar, strictly unless a dialect is named.
 #pragma once
 
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -18,8 +19,8 @@ struct Finding {
   Severity severity;
   int line;
   int column;
-  std::string message;   ///< what was found, what was expected, the likely fix
-  std::string remedy{};  ///< part of a dialect that would read it, or empty
+  std::string message;            ///< what was found, what was expected, the likely fix
+  std::string remedy{};           ///< part of a dialect that would read it, or empty
   std::size_t extra_numbers = 0;  ///< numbers after m of a material that the dialect has no names for
 };
 
@@ -42,7 +43,8 @@ class SceneError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Text of a regular file or of a pipe. Throws SceneError when it is missing, a directory, or larger than 1 GiB.
+/// Text of a regular file or of a pipe. Throws SceneError when it is missing, a directory, or larger than 1
+/// GiB.
 std::string read_text_file(const std::string& path);
 
 /// Reads a file; `warn` gets a line per warning. Throws SceneError with the first errors.
@@ -51,8 +53,13 @@ Scene load_scene(const std::string& path, const Dialect& dialect, void (*warn)(c
 /// The dialects that read the text without an error, best first; empty when none is known to.
 std::vector<std::string> propose_dialects(std::string_view text);
 
+/// The dialect that leaves the fewest errors, when none reads the text without and one leaves fewer than the course
+/// grammar does.
+std::optional<std::string> nearest_dialect(std::string_view text);
+
 /// The limits beyond which a scene is refused.
-inline constexpr std::size_t max_nesting = 1000;        ///< composites within composites
-inline constexpr std::size_t max_instances = 1'000'000; ///< spheres and boxes after shared children are counted
+inline constexpr std::size_t max_nesting = 1000;  ///< composites within composites
+inline constexpr std::size_t max_instances =
+    1'000'000;  ///< spheres and boxes after shared children are counted
 
 }  // namespace plumb

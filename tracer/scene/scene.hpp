@@ -21,10 +21,10 @@ struct Material {
   Rgbd ka{0};
   Rgbd kd{0};
   Rgbd ks{0};
-  double m = 0;        ///< Phong exponent, >= 0
-  Rgbd mirror{0};      ///< kr, weight of the reflected ray
-  Rgbd transmit{0};    ///< kt, weight of the refracted ray
-  double eta = 1;      ///< refractive index, rounded to float32, > 0
+  double m = 0;      ///< Phong exponent, >= 0
+  Rgbd mirror{0};    ///< kr, weight of the reflected ray
+  Rgbd transmit{0};  ///< kt, weight of the refracted ray
+  double eta = 1;    ///< refractive index, rounded to float32, > 0
   bool operator==(const Material&) const = default;
 
   bool mirrors() const { return mirror != Rgbd(0); }
@@ -108,9 +108,9 @@ struct Scene {
   std::vector<Material> materials;
   std::vector<Shape> shapes;
   std::vector<Light> lights;
-  std::vector<Camera> cameras;        ///< never empty after reading
-  std::vector<RenderRequest> renders; ///< never empty after reading; the first one counts
-  Rgbd ambient{0};                    ///< Ia
+  std::vector<Camera> cameras;         ///< never empty after reading
+  std::vector<RenderRequest> renders;  ///< never empty after reading; the first one counts
+  Rgbd ambient{0};                     ///< Ia
   Rgbd background{0};
   bool operator==(const Scene&) const = default;
 

@@ -6,13 +6,11 @@
 namespace plumb {
 namespace {
 
-std::string triple(const Vec3d& v) {
-  return to_text(v.x) + " " + to_text(v.y) + " " + to_text(v.z);
-}
+std::string triple(const Vec3d& v) { return to_text(v.x) + " " + to_text(v.y) + " " + to_text(v.z); }
 
 std::string write(const Material& material) {
-  std::string line = "define material " + material.name + " " + triple(material.ka) + " " + triple(material.kd) +
-                     " " + triple(material.ks) + " " + to_text(material.m);
+  std::string line = "define material " + material.name + " " + triple(material.ka) + " " +
+                     triple(material.kd) + " " + triple(material.ks) + " " + to_text(material.m);
   if (material.mirrors()) line += " mirror " + triple(material.mirror);
   if (material.transmits()) line += " transmit " + triple(material.transmit);
   if (material.eta != 1) line += " eta " + to_text(material.eta);
@@ -22,15 +20,16 @@ std::string write(const Material& material) {
 std::string write(const Scene& scene, const Shape& shape) {
   const std::string define = "define shape ";
   if (const auto* sphere = std::get_if<Sphere>(&shape.geometry)) {
-    return define + "sphere " + shape.name + " " + triple(sphere->center) + " " + to_text(sphere->radius) + " " +
-           scene.materials[sphere->material].name + "\n";
+    return define + "sphere " + shape.name + " " + triple(sphere->center) + " " + to_text(sphere->radius) +
+           " " + scene.materials[sphere->material].name + "\n";
   }
   if (const auto* box = std::get_if<Box>(&shape.geometry)) {
     return define + "box " + shape.name + " " + triple(box->min) + " " + triple(box->max) + " " +
            scene.materials[box->material].name + "\n";
   }
   std::string line = define + "composite " + shape.name;
-  for (const ShapeId child : std::get<Composite>(shape.geometry).children) line += " " + scene.shapes[child].name;
+  for (const ShapeId child : std::get<Composite>(shape.geometry).children)
+    line += " " + scene.shapes[child].name;
   return line + "\n";
 }
 
@@ -49,8 +48,8 @@ std::string write(const std::string& target, const std::vector<TransformStep>& s
 }
 
 std::string write(const Camera& camera) {
-  return "define camera " + camera.name + " " + to_text(camera.fov_x_degrees) + " " + triple(camera.eye) + " " +
-         triple(camera.direction) + " " + triple(camera.up) + "\n";
+  return "define camera " + camera.name + " " + to_text(camera.fov_x_degrees) + " " + triple(camera.eye) +
+         " " + triple(camera.direction) + " " + triple(camera.up) + "\n";
 }
 
 }  // namespace

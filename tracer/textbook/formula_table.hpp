@@ -16,7 +16,8 @@ namespace plumb::textbook {
 template <class Real>
 struct FormulaTable {
   // Kameramodell, Kameratransformation
-  decltype(&formulas::image_plane_distance<Real>) image_plane_distance = &formulas::image_plane_distance<Real>;
+  decltype(&formulas::image_plane_distance<Real>) image_plane_distance =
+      &formulas::image_plane_distance<Real>;
   decltype(&formulas::image_plane_point<Real>) image_plane_point = &formulas::image_plane_point<Real>;
   decltype(&formulas::camera_ray<Real>) camera_ray = &formulas::camera_ray<Real>;
   decltype(&formulas::camera_matrix<Real>) camera_matrix = &formulas::camera_matrix<Real>;

@@ -16,7 +16,8 @@ class Interiors {
  public:
   /// Crosses the surface of an instance and returns eta of the side left over eta of the side reached.
   Real cross(InstanceId instance, Real eta) {
-    const auto known = std::find_if(stack_.rbegin(), stack_.rend(), [&](const Medium& m) { return m.instance == instance; });
+    const auto known =
+        std::find_if(stack_.rbegin(), stack_.rend(), [&](const Medium& m) { return m.instance == instance; });
     if (known == stack_.rend()) {
       const Real outside = top_eta();
       stack_.push_back({instance, eta});

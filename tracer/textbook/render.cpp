@@ -16,7 +16,8 @@ template <class Real>
 void render_row(const Tracer<Real>& tracer, int y, Image& image) {
   for (int x = 0; x < image.width; ++x) {
     const Rgb<Real> colour = tracer.raycast(x, y);
-    for (int channel = 0; channel < 3; ++channel) image.pixel(x, y)[channel] = static_cast<float>(colour[channel]);
+    for (int channel = 0; channel < 3; ++channel)
+      image.pixel(x, y)[channel] = static_cast<float>(colour[channel]);
   }
 }
 

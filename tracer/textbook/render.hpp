@@ -22,8 +22,8 @@ struct RenderJob {
   std::function<void(double)> progress;
 };
 
-/// Linear colours, one sample through each pixel centre; the same for every number of threads. Expects a scene
-/// as read_scene returns it without errors. Throws std::runtime_error on a scene that cannot be traced.
+/// Linear colours, one sample through each pixel centre; the same for every number of threads. Expects a
+/// scene as read_scene returns it without errors. Throws std::runtime_error on a scene that cannot be traced.
 Image render(const Scene& scene, const Camera& camera, const RenderJob& job);
 
 }  // namespace plumb::textbook

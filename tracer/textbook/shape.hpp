@@ -56,8 +56,8 @@ struct Query {
   SurfaceId start;  ///< where the ray starts: that surface is not met again at t = 0
 };
 
-/// A node of the hierarchy. It is placed in its parent's space by M and met in its own space, by the ray times
-/// M^-1; the direction is not normalised, so t is valid in both.
+/// A node of the hierarchy. It is placed in its parent's space by M and met in its own space, by the ray
+/// times M^-1; the direction is not normalised, so t is valid in both.
 template <class Real>
 class Shape {
  public:
@@ -77,7 +77,8 @@ class Shape {
   }
 
   /// The surface of a hit below this node, its normal in the parent's space, by (M^-1)^T.
-  Surface<Real> surface(const Query<Real>& query, const Ray<Real>& ray, InstanceId first, const Hit<Real>& hit) const {
+  Surface<Real> surface(const Query<Real>& query, const Ray<Real>& ray, InstanceId first,
+                        const Hit<Real>& hit) const {
     if (is_identity_) return surface_here(query, ray, first, hit);
     Surface<Real> found =
         surface_here(query, query.formulas.transform_ray(parent_from_object_.inverse, ray), first, hit);
@@ -99,8 +100,8 @@ class Shape {
 template <class Real>
 class Sphere final : public Shape<Real> {
  public:
-  Sphere(const Transform<Real>& parent_from_object, const plumb::Sphere& sphere, const Material<Real>& material,
-         ShapeId shape)
+  Sphere(const Transform<Real>& parent_from_object, const plumb::Sphere& sphere,
+         const Material<Real>& material, ShapeId shape)
       : Shape<Real>(parent_from_object),
         center_(sphere.center),
         radius_(static_cast<Real>(sphere.radius)),
@@ -130,7 +131,8 @@ class Sphere final : public Shape<Real> {
 template <class Real>
 class Box final : public Shape<Real> {
  public:
-  Box(const Transform<Real>& parent_from_object, const plumb::Box& box, const Material<Real>& material, ShapeId shape)
+  Box(const Transform<Real>& parent_from_object, const plumb::Box& box, const Material<Real>& material,
+      ShapeId shape)
       : Shape<Real>(parent_from_object),
         corners_{Vec3<Real>(box.min), Vec3<Real>(box.max)},
         material_(material),
@@ -159,7 +161,8 @@ class Box final : public Shape<Real> {
 template <class Real>
 class Composite final : public Shape<Real> {
  public:
-  Composite(const Transform<Real>& parent_from_object, std::vector<std::shared_ptr<const Shape<Real>>> children)
+  Composite(const Transform<Real>& parent_from_object,
+            std::vector<std::shared_ptr<const Shape<Real>>> children)
       : Shape<Real>(parent_from_object), children_(std::move(children)) {
     for (const auto& child : children_) {
       offsets_.push_back(instances_);
@@ -172,7 +175,8 @@ class Composite final : public Shape<Real> {
  private:
   void intersect_here(const Query<Real>& query, const Ray<Real>& ray, InstanceId first,
                       Hit<Real>& nearest) const override {
-    for (std::size_t i = 0; i < children_.size(); ++i) children_[i]->intersect(query, ray, first + offsets_[i], nearest);
+    for (std::size_t i = 0; i < children_.size(); ++i)
+      children_[i]->intersect(query, ray, first + offsets_[i], nearest);
   }
   Surface<Real> surface_here(const Query<Real>& query, const Ray<Real>& ray, InstanceId first,
                              const Hit<Real>& hit) const override {

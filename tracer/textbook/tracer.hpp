@@ -49,7 +49,8 @@ class Tracer {
     const Vec3<Real> n = f_.facing_normal(glm::normalize(surface.normal), ray.direction);
 
     Rgb<Real> colour = f_.ambient_light(world_.ambient(), material.ka);
-    for (const Light<Real>& light : world_.lights()) colour += lit_by(light, point, n, -ray.direction, hit, material);
+    for (const Light<Real>& light : world_.lights())
+      colour += lit_by(light, point, n, -ray.direction, hit, material);
     if (!material.transmits && !material.mirrors) return colour;
 
     const Ray<Real> mirrored{point, f_.mirror_direction(ray.direction, n)};
@@ -68,15 +69,14 @@ class Tracer {
   }
 
   /// Diffuse and specular light of one source; black when it is behind the surface or hidden.
-  Rgb<Real> lit_by(const Light<Real>& light, const Vec3<Real>& point, const Vec3<Real>& n, const Vec3<Real>& v,
-                   const Hit<Real>& hit, const Material<Real>& material) const {
+  Rgb<Real> lit_by(const Light<Real>& light, const Vec3<Real>& point, const Vec3<Real>& n,
+                   const Vec3<Real>& v, const Hit<Real>& hit, const Material<Real>& material) const {
     const auto to_light = f_.toward_light(point, light.position);
     const Real diffuse = f_.diffuse_factor(n, to_light.direction);
     if (!f_.light_counts(diffuse)) return Rgb<Real>(0);
     const Rgb<Real> delta = visibility({point, to_light.direction}, hit.surface, to_light.distance);
     if (delta == Rgb<Real>(0)) return delta;
-    const Real specular =
-        f_.specular_factor(f_.reflected_light(n, to_light.direction), v, material.m);
+    const Real specular = f_.specular_factor(f_.reflected_light(n, to_light.direction), v, material.m);
     return f_.reflected_intensity(light.intensity, delta, material.kd, diffuse, material.ks, specular);
   }
 
@@ -98,7 +98,8 @@ class Tracer {
     return delta;
   }
 
-  /// Decision: a ratio of exactly 1 does not bend and does not raise the depth, and is black on the last level.
+  /// Decision: a ratio of exactly 1 does not bend and does not raise the depth, and is black on the last
+  /// level.
   Rgb<Real> go_on_unbent(const Ray<Real>& ray, SurfaceId start, const Interiors<Real>& beyond, int depth,
                          int unbent) const {
     if (depth + 1 >= options_.depth) return Rgb<Real>(0);

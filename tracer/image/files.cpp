@@ -1,4 +1,4 @@
-#include "tracer/image/write_file.hpp"
+#include "tracer/image/files.hpp"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -55,6 +55,28 @@ void write_to(const std::string& target, int flags, std::string_view bytes, cons
 
 }  // namespace
 
+std::string read_file(const std::string& path) {
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  struct stat info {};
+  if (file.number() < 0 || ::fstat(file.number(), &info) != 0) {
+    throw std::runtime_error(path + ": cannot be read: " + std::strerror(errno));
+  }
+  if (S_ISDIR(info.st_mode)) throw std::runtime_error(path + ": is a directory, expected a file");
+  constexpr std::size_t least_room = std::size_t{1} << 16;
+  std::string bytes(static_cast<std::size_t>(info.st_size) + least_room, '\0');
+  std::size_t size = 0;
+  for (;;) {
+    const ssize_t got = ::read(file.number(), bytes.data() + size, bytes.size() - size);
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) throw std::runtime_error(path + ": cannot be read: " + std::strerror(errno));
+    if (got == 0) break;
+    size += static_cast<std::size_t>(got);
+    if (size == bytes.size()) bytes.resize(2 * size);
+  }
+  bytes.resize(size);
+  return bytes;
+}
+
 void write_file(const std::string& path, std::string_view bytes) {
   if (path == "-") return write_all(STDOUT_FILENO, bytes, "standard output");
   if (is_special(path)) return write_to(path, O_WRONLY, bytes, path);
@@ -71,8 +93,8 @@ void write_file(const std::string& path, std::string_view bytes) {
 std::string path_aside(const std::string& path) {
   static std::atomic<unsigned> number{0};
   const std::size_t name = path.find_last_of('/') == std::string::npos ? 0 : path.find_last_of('/') + 1;
-  return path.substr(0, name) + ".plumb-" + std::to_string(::getpid()) + "-" + std::to_string(number++) + "-" +
-         path.substr(name);
+  return path.substr(0, name) + ".plumb-" + std::to_string(::getpid()) + "-" + std::to_string(number++) +
+         "-" + path.substr(name);
 }
 
 void put_in_place(const std::string& aside, const std::string& path) {

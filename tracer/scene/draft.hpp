@@ -1,0 +1,101 @@
+// A scene between reading its lines and looking up the names in them.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "tracer/scene/reader.hpp"
+
+namespace plumb {
+
+struct Place {
+  int line = 0;
+  int column = 0;
+};
+
+/// A name that was used, to be looked up at the end: definitions may follow their use.
+struct Reference {
+  std::string_view name;
+  Place place;
+};
+
+/// Names of one kind (materials, shapes, lights, cameras) and where they were defined.
+class Names {
+ public:
+  /// The line of an earlier definition of the same name, or nothing.
+  std::optional<int> define(std::string_view name, std::size_t id, int line);
+  std::optional<std::size_t> find(std::string_view name) const;
+  /// Sorted.
+  std::vector<std::string_view> all() const;
+
+ private:
+  struct Entry {
+    std::size_t id;
+    int line;
+  };
+  std::unordered_map<std::string_view, Entry> ids_;
+};
+
+/// What the reader fills in and the resolver completes. Views point into the text.
+struct Draft {
+  struct Shape {
+    Place place;
+    std::optional<Reference> material;
+    std::vector<Reference> children;
+    std::vector<TransformStep> transform_lines;
+  };
+  struct Camera {
+    Place place;
+    std::vector<TransformStep> transform_lines;
+  };
+  struct TransformLine {
+    Reference target;
+    TransformStep step;
+  };
+  struct RenderLine {
+    Reference camera;  ///< no name: the first camera
+    RenderRequest request;
+  };
+  struct Resolution {
+    double width;
+    double height;
+    Place place;
+  };
+
+  Scene scene;
+  std::vector<Finding> findings;
+
+  Names material_names;
+  Names shape_names;
+  Names light_names;
+  Names camera_names;
+  std::vector<std::string_view> broken_shapes;  ///< defined, but not as a shape that is known
+
+  std::vector<Place> materials;  ///< parallel to scene.materials
+  std::vector<Shape> shapes;     ///< parallel to scene.shapes
+  std::vector<Camera> cameras;   ///< parallel to scene.cameras
+  std::vector<TransformLine> transforms;
+  std::vector<RenderLine> renders;
+  std::optional<Resolution> camera_resolution;  ///< of the loose dialect, for a file without `render`
+  Rgbd ambient_of_lights{0};                    ///< sum of La
+  int last_line = 0;
+
+  Finding& say(Severity severity, Place place, std::string message, std::string remedy = {}) {
+    findings.push_back({severity, place.line, place.column, std::move(message), std::move(remedy)});
+    return findings.back();
+  }
+  bool has_errors() const;
+};
+
+/// Looks up all names, puts transforms in order, completes what is missing by the documented defaults, and
+/// reports what is inconsistent.
+void resolve(Draft& draft, TransformOrder order);
+
+/// Side of a picture in pixels, as a number may say it.
+inline constexpr int largest_side = 65535;
+inline constexpr double largest_pixel_count = 1 << 28;
+
+}  // namespace plumb

@@ -1,0 +1,229 @@
+#include <algorithm>
+#include <cmath>
+
+#include "tracer/scene/draft.hpp"
+#include "tracer/scene/hierarchy.hpp"
+#include "tracer/scene/lexer.hpp"
+
+namespace plumb {
+namespace {
+
+template <class Use>
+void look_up(Draft& draft, const Names& names, const Reference& reference, const char* what, Use use) {
+  if (const auto id = names.find(reference.name)) {
+    use(*id);
+    return;
+  }
+  const auto nearest = nearest_name(reference.name, names.all());
+  draft.say(Severity::error, reference.place,
+            "found " + quoted(reference.name) + ", expected the name of a " + what + " that is defined; " +
+                (nearest ? "did you mean '" + *nearest + "'?" : "define it"));
+}
+
+bool is_broken(const Draft& draft, std::string_view name) {
+  return !draft.shape_names.find(name) &&
+         std::find(draft.broken_shapes.begin(), draft.broken_shapes.end(), name) != draft.broken_shapes.end();
+}
+
+void resolve_materials(Draft& draft) {
+  for (ShapeId id = 0; id < draft.shapes.size(); ++id) {
+    if (!draft.shapes[id].material) continue;
+    look_up(draft, draft.material_names, *draft.shapes[id].material, "material", [&](MaterialId material) {
+      auto& geometry = draft.scene.shapes[id].geometry;
+      if (auto* sphere = std::get_if<Sphere>(&geometry)) sphere->material = material;
+      if (auto* box = std::get_if<Box>(&geometry)) box->material = material;
+    });
+  }
+}
+
+void resolve_children(Draft& draft) {
+  for (ShapeId id = 0; id < draft.shapes.size(); ++id) {
+    auto* composite = std::get_if<Composite>(&draft.scene.shapes[id].geometry);
+    if (composite == nullptr) continue;
+    for (const Reference& child : draft.shapes[id].children) {
+      if (is_broken(draft, child.name)) continue;
+      look_up(draft, draft.shape_names, child, "shape",
+              [&](ShapeId child_id) { composite->children.push_back(child_id); });
+    }
+  }
+}
+
+/// Steps in the order in which they act, from the order of the lines.
+std::vector<TransformStep> in_order_of_action(std::vector<TransformStep> lines, TransformOrder order) {
+  if (order == TransformOrder::post) std::reverse(lines.begin(), lines.end());
+  if (order == TransformOrder::trs) {
+    const auto rank = [](const TransformStep& s) {
+      if (std::holds_alternative<Scale>(s)) return 0;
+      return std::holds_alternative<Rotate>(s) ? 1 : 2;
+    };
+    std::stable_sort(lines.begin(), lines.end(),
+                     [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
+  }
+  return lines;
+}
+
+void resolve_transforms(Draft& draft, TransformOrder order) {
+  for (const Draft::TransformLine& line : draft.transforms) {
+    const auto camera = draft.camera_names.find(line.target.name);
+    const auto shape = draft.shape_names.find(line.target.name);
+    if (camera && shape) {
+      draft.say(Severity::error, line.target.place,
+                "found " + quoted(line.target.name) +
+                    ", expected a name that is not both a camera and a shape; rename one");
+    } else if (camera) {
+      draft.cameras[*camera].transform_lines.push_back(line.step);
+    } else if (!is_broken(draft, line.target.name)) {
+      look_up(draft, draft.shape_names, line.target, "shape or camera",
+              [&](ShapeId id) { draft.shapes[id].transform_lines.push_back(line.step); });
+    }
+  }
+  for (ShapeId id = 0; id < draft.shapes.size(); ++id) {
+    draft.scene.shapes[id].transform = in_order_of_action(std::move(draft.shapes[id].transform_lines), order);
+  }
+  for (std::size_t id = 0; id < draft.cameras.size(); ++id) {
+    draft.scene.cameras[id].transform =
+        in_order_of_action(std::move(draft.cameras[id].transform_lines), order);
+  }
+}
+
+void check_pose(Draft& draft, const Camera& camera, Place place) {
+  constexpr double least_sine_squared = 1e-24;  // below it, u = n x up is made of rounding errors
+  const auto pose = pose_of<double>(camera);
+  const Vec3d side = glm::cross(glm::normalize(pose.direction), glm::normalize(pose.up));
+  const double sine_squared = glm::dot(side, side);
+  const bool is_finite = std::isfinite(glm::dot(pose.eye, pose.eye)) && std::isfinite(sine_squared);
+  if (is_finite && sine_squared > least_sine_squared) return;
+  const char* what =
+      "a direction and an up vector that are parallel or not finite, expected two directions; try "
+      "0 1 0 or 0 0 1 as up";
+  if (camera.up == Vec3d(0)) what = "an up vector of 0 0 0, expected a direction; 0 1 0 is upwards";
+  if (camera.direction == Vec3d(0))
+    what = "a direction of 0 0 0, expected a direction; 0 0 -1 looks along -z";
+  draft.say(Severity::error, place, "found camera " + quoted(camera.name) + " with " + what);
+}
+
+void resolve_cameras(Draft& draft) {
+  Scene& scene = draft.scene;
+  if (scene.cameras.empty()) {
+    const Place end{draft.last_line, 1};
+    scene.cameras.emplace_back();
+    draft.camera_names.define("default", 0, 0);
+    draft.cameras.push_back({end, {}});
+    draft.say(Severity::warning, end,
+              "no camera: one named 'default' at the origin, looking along -z, fov-x 45");
+  }
+  for (std::size_t id = 0; id < scene.cameras.size(); ++id) {
+    check_pose(draft, scene.cameras[id], draft.cameras[id].place);
+  }
+}
+
+RenderRequest default_render(Draft& draft) {
+  RenderRequest request;
+  request.camera = draft.scene.cameras.front().name;
+  if (!draft.camera_resolution) {
+    draft.say(Severity::warning, {draft.last_line, 1},
+              "no render: camera '" + request.camera + "', image.ppm, 480 x 320 are taken");
+    return request;
+  }
+  const auto& [width, height, place] = *draft.camera_resolution;
+  const auto is_side = [](double x) { return x >= 1 && x <= largest_side && x == std::floor(x); };
+  if (is_side(width) && is_side(height) && width * height <= largest_pixel_count) {
+    request.width = static_cast<int>(width);
+    request.height = static_cast<int>(height);
+  } else {
+    draft.say(Severity::error, place,
+              "found a resolution that is no size of a picture, expected whole numbers of pixels from 1 to " +
+                  std::to_string(largest_side));
+  }
+  return request;
+}
+
+void resolve_renders(Draft& draft) {
+  Scene& scene = draft.scene;
+  for (Draft::RenderLine& line : draft.renders) {
+    if (!line.camera.name.empty()) {
+      look_up(draft, draft.camera_names, line.camera, "camera",
+              [&](std::size_t id) { line.request.camera = scene.cameras[id].name; });
+    } else {
+      line.request.camera = scene.cameras.front().name;
+      if (scene.cameras.size() > 1) {
+        draft.say(Severity::warning, line.camera.place,
+                  "no camera named: the first one, '" + line.request.camera + "'");
+      }
+    }
+    scene.renders.push_back(line.request);
+  }
+  if (scene.renders.size() > 1) {
+    draft.say(Severity::warning, draft.renders[1].camera.place, "more than one render: the first one counts");
+  }
+  if (scene.renders.empty()) scene.renders.push_back(default_render(draft));
+}
+
+void resolve_refraction(Draft& draft) {
+  for (MaterialId id = 0; id < draft.scene.materials.size(); ++id) {
+    Material& material = draft.scene.materials[id];
+    const double eta = static_cast<double>(static_cast<float>(material.eta));  // decision: float32
+    const bool is_index = eta > 0 && std::isfinite(eta);
+    if (material.transmits() && !is_index) {
+      draft.say(Severity::error, draft.materials[id],
+                "found " + quoted(material.name) + " with refractive index " + std::to_string(material.eta) +
+                    ", expected one > 0 for a material that transmits; glass has 1.5");
+    }
+    material.eta = is_index ? eta : 1;
+  }
+}
+
+void check_graph(Draft& draft) {
+  if (draft.has_errors()) return;
+  for (HierarchyError& error : check_hierarchy(draft.scene)) {
+    draft.say(Severity::error, draft.shapes[error.shape].place, std::move(error.message));
+  }
+}
+
+void warn_of_emptiness(Draft& draft) {
+  const Place end{draft.last_line, 1};
+  if (draft.scene.shapes.empty() && !draft.has_errors()) {
+    draft.say(Severity::warning, end, "no shapes: the picture is background only");
+  }
+  if (draft.scene.lights.empty() && !draft.scene.shapes.empty()) {
+    draft.say(Severity::warning, end, "no lights: only ambient light is seen");
+  }
+}
+
+}  // namespace
+
+std::optional<int> Names::define(std::string_view name, std::size_t id, int line) {
+  const auto [it, is_new] = ids_.try_emplace(name, Entry{id, line});
+  return is_new ? std::nullopt : std::optional<int>(it->second.line);
+}
+
+std::optional<std::size_t> Names::find(std::string_view name) const {
+  const auto it = ids_.find(name);
+  return it == ids_.end() ? std::nullopt : std::optional<std::size_t>(it->second.id);
+}
+
+std::vector<std::string_view> Names::all() const {
+  std::vector<std::string_view> names;
+  for (const auto& [name, entry] : ids_) names.push_back(name);
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+bool Draft::has_errors() const {
+  return std::any_of(findings.begin(), findings.end(),
+                     [](const Finding& f) { return f.severity == Severity::error; });
+}
+
+void resolve(Draft& draft, TransformOrder order) {
+  draft.scene.ambient += draft.ambient_of_lights;
+  resolve_materials(draft);
+  resolve_children(draft);
+  resolve_transforms(draft, order);
+  resolve_cameras(draft);
+  resolve_renders(draft);
+  resolve_refraction(draft);
+  check_graph(draft);
+  warn_of_emptiness(draft);
+}
+
+}  // namespace plumb
