@@ -8,8 +8,8 @@
 
 #include "references/povray_state.hpp"
 #include "references/process.hpp"
-#include "tracer/image/io.hpp"
 #include "tracer/image/files.hpp"
+#include "tracer/image/io.hpp"
 
 namespace plumb::references {
 namespace {

@@ -8,8 +8,8 @@
 #include <stdexcept>
 
 #include "references/digest.hpp"
-#include "tracer/image/io.hpp"
 #include "tracer/image/files.hpp"
+#include "tracer/image/io.hpp"
 
 namespace plumb::references {
 namespace {

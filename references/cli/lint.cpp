@@ -61,7 +61,8 @@ void print(const Linted& linted) {
   std::printf("%s: %s, %s\n", linted.scene.c_str(), plural(linted.count(Severity::error), "error").c_str(),
               plural(linted.count(Severity::warning), "warning").c_str());
   if (linted.nearest) {
-    std::printf("%s: mend these, then --dialect %s can read it:\n", linted.scene.c_str(), linted.nearest->c_str());
+    std::printf("%s: mend these, then --dialect %s can read it:\n", linted.scene.c_str(),
+                linted.nearest->c_str());
     for (const Finding& f : linted.remaining) {
       if (f.severity == Severity::error) std::printf("    %s\n", to_string(f, linted.scene).c_str());
     }

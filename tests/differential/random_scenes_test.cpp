@@ -1,14 +1,19 @@
 // Random scenes with every feature, against POV-Ray.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <map>
 #include <utility>
 
+#include "exporters/povray.hpp"
 #include "references/verify.hpp"
 #include "tests/support/random_scene.hpp"
 #include "tests/support/run.hpp"
+#include "tracer/scene/reader.hpp"
 #include "tracer/scene/writer.hpp"
+#include "tracer/textbook/render.hpp"
 
 namespace plumb::tests {
 namespace {
@@ -16,11 +21,34 @@ namespace {
 using references::SceneResult;
 using references::Status;
 
-/// PLUMB_RANDOM_SCENES sets how many; scripts/test --long asks for more.
-unsigned wanted_scenes() {
-  constexpr unsigned in_a_short_run = 60;
-  const char* const wanted = std::getenv("PLUMB_RANDOM_SCENES");
+/// An environment variable sets how many; scripts/test --long asks for more.
+unsigned number_from(const char* variable, unsigned in_a_short_run) {
+  const char* const wanted = std::getenv(variable);
   return wanted == nullptr ? in_a_short_run : static_cast<unsigned>(std::strtoul(wanted, nullptr, 10));
+}
+
+/// Read back from its own text, exported, and rendered small in double and float.
+TEST(RandomScenes, NeverCrash) {
+  const unsigned wanted = number_from("PLUMB_RANDOM_SMOKE", 300);
+  for (unsigned seed = 1; seed <= wanted; ++seed) {
+    const RandomScene random = random_scene(seed);
+    const ReadResult read = read_scene(write_scene(random.scene));
+    ASSERT_FALSE(read.has_errors()) << "seed " << seed;
+    const Camera& camera = read.scene.cameras.front();
+    EXPECT_FALSE(exporters::export_povray(read.scene, camera, 16, 12, random.options).text.empty());
+    textbook::RenderJob job;
+    job.width = 16;
+    job.height = 12;
+    job.options = random.options;
+    job.threads = 1;
+    for (const auto real : {textbook::RealType::float64, textbook::RealType::float32}) {
+      job.real = real;
+      const Image image = textbook::render(read.scene, camera, job);
+      const bool finite =
+          std::all_of(image.rgb.begin(), image.rgb.end(), [](float c) { return std::isfinite(c); });
+      EXPECT_TRUE(finite) << "seed " << seed;
+    }
+  }
 }
 
 TEST(RandomScenes, AgreeWithPovrayOnEveryPixel) {
@@ -28,7 +56,8 @@ TEST(RandomScenes, AgreeWithPovrayOnEveryPixel) {
   setenv("PLUMB_CACHE", workplace.path(".cache").c_str(), 1);
   using OptionsKey = std::pair<int, GlassShadow>;
   std::map<OptionsKey, std::vector<std::string>> scenes;
-  for (unsigned seed = 1; seed <= wanted_scenes(); ++seed) {
+  const unsigned wanted = number_from("PLUMB_RANDOM_SCENES", 60);
+  for (unsigned seed = 1; seed <= wanted; ++seed) {
     const RandomScene random = random_scene(seed);
     scenes[{random.options.depth, random.options.glass_shadow}].push_back(
         workplace.file(std::to_string(seed) + ".sdf", write_scene(random.scene)));
@@ -44,13 +73,13 @@ TEST(RandomScenes, AgreeWithPovrayOnEveryPixel) {
     ASSERT_TRUE(report.notice.empty()) << report.notice;
     for (const SceneResult& result : report.scenes) {
       EXPECT_EQ(result.status, Status::agree)
-          << result.scene << " depth " << options.first << ": " << result.comparison.pixels_over << " pixels over, "
-          << result.message << "\n"
+          << result.scene << " depth " << options.first << ": " << result.comparison.pixels_over
+          << " pixels over, " << result.message << "\n"
           << read_file(result.scene);
       agreed += result.status == Status::agree ? 1 : 0;
     }
   }
-  EXPECT_EQ(agreed, wanted_scenes());
+  EXPECT_EQ(agreed, wanted);
 }
 
 }  // namespace

@@ -43,11 +43,13 @@ std::string join(const std::set<std::string>& parts, const std::string& last) {
 }
 
 std::size_t count_errors(const ReadResult& result) {
-  return static_cast<std::size_t>(std::count_if(result.findings.begin(), result.findings.end(),
-                                                [](const Finding& f) { return f.severity == Severity::error; }));
+  return static_cast<std::size_t>(
+      std::count_if(result.findings.begin(), result.findings.end(),
+                    [](const Finding& f) { return f.severity == Severity::error; }));
 }
 
-/// The dialects that the findings under the course grammar suggest, those with the fewest errors and warnings first.
+/// The dialects that the findings under the course grammar suggest, those with the fewest errors and warnings
+/// first.
 std::vector<Candidate> candidates_for(std::string_view text) {
   constexpr int rounds = 3;  // what one part cures may have hidden what another must
   Wanted wanted;

@@ -53,8 +53,8 @@ Scene load_scene(const std::string& path, const Dialect& dialect, void (*warn)(c
 /// The dialects that read the text without an error, best first; empty when none is known to.
 std::vector<std::string> propose_dialects(std::string_view text);
 
-/// The dialect that leaves the fewest errors, when none reads the text without and one leaves fewer than the course
-/// grammar does.
+/// The dialect that leaves the fewest errors, when none reads the text without and one leaves fewer than the
+/// course grammar does.
 std::optional<std::string> nearest_dialect(std::string_view text);
 
 /// The limits beyond which a scene is refused.

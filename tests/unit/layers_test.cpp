@@ -1,0 +1,87 @@
+// The architecture, read off the #includes: each layer may use only those below it.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <map>
+#include <set>
+#include <sstream>
+#include <string>
+
+#include "tests/support/run.hpp"
+
+namespace plumb::tests {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What a folder may include of ours besides itself. A folder that is not named here must not exist.
+const std::map<std::string, std::set<std::string>>& allowed() {
+  static const std::map<std::string, std::set<std::string>> table{
+      {"tracer/formulas", {}},
+      {"tracer/scene", {"tracer/formulas"}},
+      {"tracer/image", {}},
+      {"tracer/textbook", {"tracer/formulas", "tracer/scene", "tracer/image"}},
+      {"exporters", {"tracer/formulas", "tracer/scene"}},
+      {"references", {"tracer/formulas", "tracer/scene", "tracer/image", "tracer/textbook", "exporters"}},
+      {"references/cli",
+       {"tracer/formulas", "tracer/scene", "tracer/image", "tracer/textbook", "exporters", "references"}}};
+  return table;
+}
+
+bool is_source(const fs::path& path) { return path.extension() == ".hpp" || path.extension() == ".cpp"; }
+
+struct Include {
+  std::string from;
+  std::string from_file;
+  std::string to;
+};
+
+std::vector<Include> includes() {
+  std::vector<Include> found;
+  const std::string top = source_path("");
+  for (const char* part : {"tracer", "exporters", "references"}) {
+    for (const auto& file : fs::recursive_directory_iterator(top + part)) {
+      if (!is_source(file.path())) continue;
+      const std::string folder = fs::relative(file.path().parent_path(), top).string();
+      std::istringstream lines(read_file(file.path().string()));
+      for (std::string line; std::getline(lines, line);) {
+        constexpr std::string_view start = "#include \"";
+        if (!line.starts_with(start)) continue;
+        const std::string target = line.substr(start.size(), line.rfind('"') - start.size());
+        found.push_back({folder, file.path().string(), fs::path(target).parent_path().string()});
+      }
+    }
+  }
+  return found;
+}
+
+TEST(Layers, IncludesRunOneWay) {
+  const auto all = includes();
+  ASSERT_GT(all.size(), 100U) << "the test reads too few files to mean anything";
+  for (const Include& include : all) {
+    ASSERT_TRUE(allowed().contains(include.from)) << include.from_file << " is in a folder that has no layer";
+    const bool is_allowed = include.to == include.from || allowed().at(include.from).contains(include.to);
+    EXPECT_TRUE(is_allowed) << include.from_file << " includes a file of " << include.to;
+  }
+}
+
+TEST(Layers, OnlyTheModuleKnowsOpenImageIO) {
+  for (const char* part : {"tracer", "exporters", "references"}) {
+    for (const auto& file : fs::recursive_directory_iterator(source_path(part))) {
+      if (!is_source(file.path()) || file.path().filename() == "oiio_module.cpp") continue;
+      EXPECT_EQ(read_file(file.path().string()).find("#include <OpenImageIO"), std::string::npos)
+          << file.path();
+    }
+  }
+}
+
+TEST(Layers, TheTopLevelIsFixed) {
+  const std::set<std::string> fixed{"tracer",  "exporters", "references", "tests",
+                                    "scripts", "build",     ".ci",        ".git"};
+  for (const auto& entry : fs::directory_iterator(source_path(""))) {
+    if (entry.is_directory()) EXPECT_TRUE(fixed.contains(entry.path().filename().string())) << entry.path();
+  }
+}
+
+}  // namespace
+}  // namespace plumb::tests
