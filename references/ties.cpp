@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <memory>
 #include <optional>
 #include <random>
 #include <set>
@@ -14,8 +13,9 @@ namespace plumb::references {
 namespace {
 
 constexpr double relative_step = 1e-8;
-constexpr int patterns = 48;              // two surfaces stay in one order in all of them once in 2^47 cases
-constexpr int patterns_of_one = 6;        // of a single shape, to find out whether it takes part
+constexpr int patterns = 48;         // two surfaces stay in one order in all of them once in 2^47 cases
+constexpr int most_patterns = 4096;  // for pixels that vary: many ties in one ray tree have many outcomes
+constexpr int patterns_of_one = 6;   // of a single shape, to find out whether it takes part
 constexpr std::size_t pixels_named = 64;  // the shapes are looked for in so many tied pixels
 
 using Colour = std::array<float, 3>;
@@ -106,6 +106,14 @@ void name_shapes(const Scene& scene, const Camera& camera, const RenderOptions& 
   }
 }
 
+/// A pixel over the tolerance while it is tried.
+struct Suspect {
+  PixelPlace place;
+  Colour unmoved;
+  bool varies = false;   ///< moving surfaces changes it by more than the tolerance
+  bool is_tied = false;  ///< and one outcome is the reference's
+};
+
 }  // namespace
 
 TieReport prove_ties(const Scene& scene, const Camera& camera, const RenderOptions& options,
@@ -114,19 +122,30 @@ TieReport prove_ties(const Scene& scene, const Camera& camera, const RenderOptio
   if (pixels.empty()) return report;
   const double step = relative_step * scene_extent(scene, camera);
   std::mt19937 random(1);  // any seed: the patterns are to be the same every time
-  std::vector<std::unique_ptr<PixelTracer>> moved;
-  for (int i = 0; i < patterns; ++i) {
+  const PixelTracer still(scene, camera, reference, options);
+  std::vector<Suspect> suspects;
+  for (const PixelPlace place : pixels) suspects.push_back({place, still.at(place)});
+  for (int pattern = 0; pattern < most_patterns && !suspects.empty(); ++pattern) {
+    if (pattern == patterns)
+      std::erase_if(suspects, [](const Suspect& s) { return !s.varies && !s.is_tied; });
+    const bool all_tied =
+        std::all_of(suspects.begin(), suspects.end(), [](const Suspect& s) { return s.is_tied; });
+    if (pattern >= patterns && all_tied) break;
     const double move =
-        i % 8 < 4 ? step : step / 1000;  // small against what leaving_at_edges takes for an edge
-    moved.push_back(std::make_unique<PixelTracer>(moved_at_random(scene, move, random), camera, reference,
-                                                  options, formulas_for_pattern(i)));
+        pattern % 8 < 4 ? step : step / 1000;  // small against what leaving_at_edges takes for an edge
+    const PixelTracer moved(moved_at_random(scene, move, random), camera, reference, options,
+                            formulas_for_pattern(pattern));
+    for (Suspect& suspect : suspects) {
+      if (suspect.is_tied) continue;
+      const Colour outcome = moved.at(suspect.place);
+      suspect.varies = suspect.varies || !is_within(suspect.unmoved.data(), outcome.data(), tolerance);
+      suspect.is_tied =
+          is_within(reference.pixel(suspect.place.x, suspect.place.y), outcome.data(), tolerance);
+    }
   }
   std::vector<PixelPlace> tied;
-  for (const PixelPlace place : pixels) {
-    const bool reproduced = std::any_of(moved.begin(), moved.end(), [&](const auto& tracer) {
-      return is_within(reference.pixel(place.x, place.y), tracer->at(place).data(), tolerance);
-    });
-    if (reproduced) tied.push_back(place);
+  for (const Suspect& suspect : suspects) {
+    if (suspect.is_tied) tied.push_back(suspect.place);
   }
   report.proven = tied.size();
   if (tied.empty()) return report;

@@ -581,6 +581,29 @@ define shape sphere b 0.2 0.3 -4.9 0.7 dense
                    many_layers);
 }
 
+TEST(PovrayFacts, EtaIsAFloatInPovray) {
+  // Sharp highlights seen through several curved surfaces magnify the rounding of eta.
+  const auto with_eta = [](double eta) {
+    Scene scene = scene_of(R"(
+define material glass 0 0 0 0 0 0 0 0 0 0 transmit 1 1 1
+define material shiny 0 0 0 0.5 0.5 0.5 6 6 6 1000
+define shape sphere a 0.1 0.2 -3 0.9 glass
+define shape sphere b -0.2 0.1 -5 0.8 glass
+define shape sphere c 0.2 -0.1 -7 0.9 glass
+define shape sphere d 0.1 0.1 -11 2 shiny
+define shape sphere e 0.3 -0.1 4 2.5 shiny
+define light key 2 3 -4 1 1 1 1
+define camera eye 40
+)");
+    scene.materials[0].eta = eta;
+    return Picture{"eta " + to_text(eta), scene, {12, GlassShadow::none}, 96, 72};
+  };
+  const auto comparisons =
+      compare_with_povray({with_eta(static_cast<double>(1.7F)), with_eta(1.7)}, float32_rounding.value);
+  EXPECT_TRUE(comparisons[0].agrees()) << describe(comparisons[0]);
+  EXPECT_FALSE(comparisons[1].agrees()) << "a double is as good: " << describe(comparisons[1]);
+}
+
 std::vector<Picture> pictures_from_inside() {
   const std::string eye = "define camera eye 70 0.1 0.2 0 0.1 0 -1 0 1 0\n";
   return {{"inside one", scene_of(backdrop + eye + "define shape sphere a 0 0 -0.5 2 thin\n")},

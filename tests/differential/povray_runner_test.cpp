@@ -17,6 +17,7 @@
 #include "references/cache.hpp"
 #include "references/povray.hpp"
 #include "tests/support/run.hpp"
+#include "tracer/image/files.hpp"
 #include "tracer/image/io.hpp"
 
 namespace plumb::tests {
@@ -92,7 +93,8 @@ bool has(const std::string& text, const std::string& part) { return text.find(pa
 
 /// Whether a process runs; one that ended and was not waited for does not.
 bool runs(const std::string& id) {
-  const std::string status = read_file("/proc/" + id + "/status");
+  std::ifstream file("/proc/" + id + "/status");
+  const std::string status{std::istreambuf_iterator<char>(file), {}};
   return !status.empty() && !has(status, "State:\tZ") && !has(status, "State:\tX");
 }
 
@@ -250,7 +252,7 @@ TEST(PovrayRunner, WithoutAUsableStateFileItsPngIsTakenAndThatIsSaid) {
     write_image(fake.workplace().path("good.png"), image, Encoding::linear);
     const PovrayPicture picture = Povray().render(job_with_background("0,0,0"));
     EXPECT_EQ(picture.precision, "png16");
-    EXPECT_TRUE(has(picture.warnings, "state file")) << picture.warnings;
+    EXPECT_TRUE(has(picture.warnings, "state")) << picture.warnings;
     EXPECT_TRUE(has(picture.warnings, "clamped at 1")) << picture.warnings;
     ASSERT_EQ(picture.image.rgb.size(), image.rgb.size());
     for (std::size_t i = 0; i < image.rgb.size(); ++i) {
@@ -396,7 +398,6 @@ TEST_F(CacheOfPictures, ATruncatedOrLongerEntryIsNoticed) {
 }
 
 TEST_F(CacheOfPictures, ADamagedEntryIsReplaced) {
-  write_bytes(workplace_.file("elsewhere", ""), "");
   cache_.store(job_, version_, some_picture());
   write_bytes(cache_.entry_path(job_, version_), "damaged");
   ASSERT_FALSE(cache_.find(job_, version_).has_value());

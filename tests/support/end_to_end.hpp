@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <initializer_list>
 #include <limits>
+#include <ostream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,11 +36,17 @@ inline std::string replaced(std::string_view text, std::string_view from, std::s
   return result;
 }
 
+/// A parameter of a test that is printed, and so named by CTest, without quotes.
+struct Word {
+  const char* text;
+};
+inline void PrintTo(const Word& word, std::ostream* out) { *out << word.text; }
+
 /// All that is below the directory, but for what the harness itself leaves there (its output, the cache).
 inline std::vector<std::string> listing(const std::string& directory) {
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(directory)) {
-    const std::string name = std::filesystem::relative(entry.path(), directory).string();
+    const std::string name = entry.path().lexically_relative(directory).string();
     if (name != ".out" && name != ".err" && name != "output.txt" && !name.starts_with(".cache")) {
       names.push_back(name);
     }

@@ -54,6 +54,14 @@ template <class Real>
 struct Query {
   const FormulaTable<Real>& formulas;
   SurfaceId start;  ///< where the ray starts: that surface is not met again at t = 0
+  Real t_min;       ///< hits up to here cannot be told from the start by rounding
+
+  /// Whether a hit counts and comes before the nearest so far. Two that rounding cannot tell apart are one
+  /// place, and the first in the order of the file is taken: so coincident surfaces are crossed once.
+  bool is_nearer(Real t, Real nearest) const { return t > t_min && t < nearest - (t_min + rounding * t); }
+
+  /// Roundings on the way from a ray to t, in units of the last place: matrices, two dot products, a root.
+  static constexpr Real rounding = 64 * std::numeric_limits<Real>::epsilon();
 };
 
 /// A node of the hierarchy. It is placed in its parent's space by M and met in its own space, by the ray
@@ -114,7 +122,7 @@ class Sphere final : public Shape<Real> {
   void intersect_here(const Query<Real>& query, const Ray<Real>& ray, InstanceId self,
                       Hit<Real>& nearest) const override {
     const auto t = query.formulas.intersect_sphere(ray, center_, radius_, query.start.instance == self);
-    if (t && *t < nearest.t) nearest = {*t, {self, no_face}};
+    if (t && query.is_nearer(*t, nearest.t)) nearest = {*t, {self, no_face}};
   }
   Surface<Real> surface_here(const Query<Real>& query, const Ray<Real>& ray, InstanceId,
                              const Hit<Real>& hit) const override {
@@ -145,7 +153,7 @@ class Box final : public Shape<Real> {
                       Hit<Real>& nearest) const override {
     const Face start = query.start.instance == self ? query.start.face : no_face;
     const auto hit = query.formulas.intersect_box(ray, corners_, start);
-    if (hit && hit->t < nearest.t) nearest = {hit->t, {self, hit->face}};
+    if (hit && query.is_nearer(hit->t, nearest.t)) nearest = {hit->t, {self, hit->face}};
   }
   Surface<Real> surface_here(const Query<Real>& query, const Ray<Real>&, InstanceId,
                              const Hit<Real>& hit) const override {

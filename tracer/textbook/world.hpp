@@ -1,6 +1,7 @@
 // A scene made ready to be traced by the textbook tracer, in one real type.
 #pragma once
 
+#include <algorithm>
 #include <deque>
 #include <memory>
 #include <vector>
@@ -48,20 +49,26 @@ class World {
     return plumb::dielectrics_around(scene_, pose.eye, pose.direction);
   }
 
-  /// The nearest hit with t > 0 of a ray that starts on `start` (or in free space).
+  /// The nearest hit with t > 0 of a ray of unit direction that starts on `start` (or in free space).
   Hit<Real> nearest_hit(const Ray<Real>& ray, SurfaceId start,
                         Real t_max = std::numeric_limits<Real>::infinity()) const {
     Hit<Real> nearest;
     nearest.t = t_max;
-    root_->intersect({formulas_, start}, ray, 0, nearest);
+    root_->intersect({formulas_, start, Query<Real>::rounding * largest_component(ray.origin)}, ray, 0,
+                     nearest);
     return nearest;
   }
 
   Surface<Real> surface(const Ray<Real>& ray, const Hit<Real>& hit) const {
-    return root_->surface({formulas_, {}}, ray, 0, hit);
+    return root_->surface({formulas_, {}, Real(0)}, ray, 0, hit);
   }
 
  private:
+  static Real largest_component(const Vec3<Real>& v) {
+    const Vec3<Real> size = glm::abs(v);
+    return std::max({size.x, size.y, size.z});
+  }
+
   using Built = std::vector<std::shared_ptr<const Shape<Real>>>;
 
   std::shared_ptr<const Shape<Real>> build(const Scene& scene, ShapeId id, Built& built) const {

@@ -1,0 +1,366 @@
+// Verifying scenes against POV-Ray: verdicts, the cache, and what is excused as a tie and what never is.
+#include "references/verify.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+
+#include "exporters/povray.hpp"
+#include "references/cache.hpp"
+#include "references/povray.hpp"
+#include "tests/support/run.hpp"
+#include "tracer/scene/reader.hpp"
+
+namespace plumb::tests {
+namespace {
+
+using references::SceneResult;
+using references::Status;
+using references::VerifyOptions;
+using references::VerifyReport;
+
+/// An environment variable for the length of a scope.
+class Variable {
+ public:
+  Variable(const char* name, const std::string& value) : name_(name) {
+    if (const char* const old = std::getenv(name)) old_ = old;
+    setenv(name, value.c_str(), 1);
+  }
+  ~Variable() {
+    if (old_) {
+      setenv(name_, old_->c_str(), 1);
+    } else {
+      unsetenv(name_);
+    }
+  }
+  Variable(const Variable&) = delete;
+  Variable& operator=(const Variable&) = delete;
+
+ private:
+  const char* name_;
+  std::optional<std::string> old_;
+};
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+const std::string materials = R"(
+define material red 0.2 0.05 0.05 0.6 0.2 0.1 0.3 0.3 0.3 20
+define material blue 0.05 0.1 0.3 0.1 0.3 0.6 0.2 0.2 0.2 10
+define light key 3 6 4 0.9 0.9 0.8 1
+ambient 0.4 0.4 0.4
+background 0.1 0.15 0.2
+define camera eye 60
+define camera other 30
+render eye image.ppm 48 36
+)";
+const std::string ball = materials + "define shape sphere ball 0.1 0.2 -4 1.1 red\n";
+const std::string block =
+    materials + "define shape box block -1.1 -0.8 -6 0.9 1 -4 blue\ntransform block rotate 5 1 1 0\n";
+
+/// The fronts of two boxes share a plane; which of them is seen where both are is chance. (A full turn is not
+/// quite the identity, so that it is rounded otherwise in each renderer.)
+std::string coincident(const std::string& first, const std::string& second) {
+  return materials + "define shape box one -1.3 -0.7 -6 0.4 0.9 -4 " + first +
+         "\ndefine shape box two -0.5 -0.9 0 1.2 0.6 0.3 " + second +
+         "\ntransform two rotate 360 0 0 1\ntransform two translate 0 0 -4.3\n";
+}
+
+/// A box of glass that stands on a floor.
+const std::string glass_on_floor = materials + R"(
+define material glass 0 0 0 0 0 0 0.2 0.2 0.2 10 transmit 0.8 0.8 0.8 eta 1.5
+define shape box stone -0.6 -1 -5 0.7 0.3 -4 glass
+define shape box floor -3.1 -1.5 -9 3.3 -1 0 red
+)";
+
+/// Scenes and a cache of their own.
+class Verify : public testing::Test {
+ protected:
+  std::string file(const std::string& name, const std::string& text) const {
+    return workplace_.file(name, text);
+  }
+  std::string path(const std::string& name) const { return workplace_.path(name); }
+
+ private:
+  Workplace workplace_;
+  Variable cache_{"PLUMB_CACHE", workplace_.path(".cache")};
+};
+
+std::vector<Status> statuses(const VerifyReport& report) {
+  std::vector<Status> all;
+  for (const SceneResult& result : report.scenes) all.push_back(result.status);
+  return all;
+}
+
+TEST_F(Verify, NoBadSceneStopsTheOthersAndResultsKeepTheirOrder) {
+  const std::vector<std::string> scenes{file("a.sdf", ball), path("missing.sdf"),
+                                        file("broken.sdf", "define shape sphere ball 0 0\n"),
+                                        file("b.sdf", block)};
+  std::vector<std::string> told;
+  const VerifyReport report =
+      references::verify(scenes, {}, [&](const SceneResult& result) { told.push_back(result.scene); });
+  EXPECT_EQ(statuses(report), (std::vector{Status::agree, Status::error, Status::error, Status::agree}));
+  EXPECT_EQ(report.exit_code(), 2);
+  EXPECT_EQ(told, scenes);
+  for (std::size_t i = 0; i < scenes.size(); ++i) EXPECT_EQ(report.scenes[i].scene, scenes[i]);
+  EXPECT_TRUE(has(report.scenes[1].message, "missing.sdf")) << report.scenes[1].message;
+  EXPECT_TRUE(has(report.scenes[2].message, "broken.sdf:1")) << report.scenes[2].message;
+  EXPECT_EQ(report.scenes[0].width, 48);
+  EXPECT_EQ(report.scenes[0].height, 36);
+  EXPECT_EQ(report.scenes[0].comparison.pixels, 48U * 36);
+  EXPECT_GT(report.scenes[0].seconds_reference, 0);
+  EXPECT_FALSE(report.reference_version.empty());
+  EXPECT_EQ(report.notice, "");
+}
+
+TEST_F(Verify, ScenesThatAllAgreeGiveZeroAndTheSecondRunIsCached) {
+  const std::vector<std::string> scenes{file("a.sdf", ball), file("b.sdf", block)};
+  const VerifyReport first = references::verify(scenes, {}, {});
+  const VerifyReport second = references::verify(scenes, {}, {});
+  EXPECT_EQ(first.exit_code(), 0);
+  EXPECT_EQ(second.exit_code(), 0);
+  EXPECT_EQ(first.reference_version, second.reference_version);
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    EXPECT_FALSE(first.scenes[i].cached);
+    EXPECT_TRUE(second.scenes[i].cached);
+    EXPECT_EQ(first.scenes[i].comparison.max_error, second.scenes[i].comparison.max_error);
+    EXPECT_EQ(second.scenes[i].seconds_reference, 0);
+  }
+}
+
+TEST_F(Verify, TheResultsAreTheSameForEveryNumberOfJobs) {
+  std::vector<std::string> scenes;
+  for (int i = 0; i < 5; ++i) {
+    scenes.push_back(file(std::to_string(i), i % 2 == 0 ? ball : materials + "nonsense\n"));
+  }
+  for (const int jobs : {1, 2, 9}) {
+    VerifyOptions options;
+    options.jobs = jobs;
+    std::vector<std::string> told;
+    const VerifyReport report =
+        references::verify(scenes, options, [&](const SceneResult& result) { told.push_back(result.scene); });
+    EXPECT_EQ(told, scenes) << jobs;
+    EXPECT_EQ(statuses(report),
+              (std::vector{Status::agree, Status::error, Status::agree, Status::error, Status::agree}))
+        << jobs;
+  }
+}
+
+TEST_F(Verify, NoSceneAtAllIsNoTrouble) {
+  const VerifyReport report = references::verify({}, {}, {});
+  EXPECT_EQ(report.exit_code(), 0);
+  EXPECT_TRUE(report.scenes.empty());
+}
+
+TEST_F(Verify, SizeAndCameraMayBeOthersThanTheScenes) {
+  const std::string scene = file("a.sdf", ball);
+  VerifyOptions options;
+  options.size = references::Size{20, 30};
+  options.camera = "other";
+  const VerifyReport report = references::verify({scene}, options, {});
+  EXPECT_EQ(report.exit_code(), 0) << report.scenes[0].message;
+  EXPECT_EQ(report.scenes[0].width, 20);
+  EXPECT_EQ(report.scenes[0].height, 30);
+  options.camera = "nobody";
+  const VerifyReport unknown = references::verify({scene}, options, {});
+  EXPECT_EQ(unknown.exit_code(), 2);
+  EXPECT_TRUE(has(unknown.scenes[0].message, "nobody")) << unknown.scenes[0].message;
+}
+
+TEST_F(Verify, WarningsOfPovrayReachTheMessage) {
+  const VerifyReport report =
+      references::verify({file("empty.sdf", "define camera eye 60\nrender eye image.ppm 16 12\n")}, {}, {});
+  EXPECT_EQ(report.exit_code(), 0) << report.scenes[0].message;
+  EXPECT_TRUE(has(report.scenes[0].message, "POV-Ray warns")) << report.scenes[0].message;
+}
+
+TEST_F(Verify, ATimeLimitThatIsTooShortIsAnErrorOfThatScene) {
+  VerifyOptions options;
+  options.time_limit_seconds = 0.05;
+  const VerifyReport report = references::verify({file("a.sdf", ball)}, options, {});
+  EXPECT_EQ(report.exit_code(), 2);
+  EXPECT_TRUE(has(report.scenes[0].message, "longer than")) << report.scenes[0].message;
+}
+
+TEST_F(Verify, WithoutPovrayStoredImagesAreUsedAndThatIsSaid) {
+  const Variable nothing_on_path("PATH", path("nowhere"));
+  const Variable none_stored("PLUMB_REFERENCES", path("none"));
+  const VerifyReport report = references::verify({file("a.sdf", ball)}, {}, {});
+  EXPECT_TRUE(has(report.notice, "NO POV-RAY IS RUN")) << report.notice;
+  EXPECT_EQ(report.exit_code(), 2);
+  EXPECT_TRUE(has(report.scenes[0].message, "no stored reference image")) << report.scenes[0].message;
+}
+
+TEST_F(Verify, StoredImagesStartNoPovrayAndThatIsSaid) {
+  const Variable none_stored("PLUMB_REFERENCES", path("none"));
+  VerifyOptions options;
+  options.stored = true;
+  const VerifyReport report = references::verify({file("a.sdf", ball)}, options, {});
+  EXPECT_TRUE(has(report.notice, "--stored")) << report.notice;
+  EXPECT_EQ(report.exit_code(), 2);
+}
+
+// A picture that is really wrong.
+
+struct Loaded {
+  explicit Loaded(const std::string& file) : scene(load_scene(file, {})) {}
+  const Camera& camera() const { return scene.cameras.front(); }
+  references::PovrayJob job() const {
+    const auto exported = exporters::export_povray(scene, camera(), 48, 36, {});
+    return {exported.text, 48, 36, exported.needs_flat_objects};
+  }
+  Image render() const {
+    textbook::RenderJob job;
+    job.width = 48;
+    job.height = 36;
+    return textbook::render(scene, camera(), job);
+  }
+  Scene scene;
+};
+
+TEST_F(Verify, AWrongPixelMakesItDifferAndIsTold) {
+  const std::string scene = file("a.sdf", ball);
+  const Loaded loaded(scene);
+  const references::Povray povray;
+  const references::Cache cache;
+  // A doctored reference in the cache: our picture, but for one pixel in the middle of the ball.
+  references::PovrayPicture doctored;
+  doctored.image = loaded.render();
+  doctored.image.pixel(25, 16)[1] += 0.01F;
+  doctored.precision = "float32";
+  cache.store(loaded.job(), cache.version_of(povray), doctored);
+  const VerifyReport report = references::verify({scene, file("b.sdf", block)}, {}, {});
+  EXPECT_EQ(statuses(report), (std::vector{Status::differ, Status::agree}));
+  EXPECT_EQ(report.exit_code(), 1);
+  const SceneResult& result = report.scenes[0];
+  EXPECT_TRUE(result.cached);
+  EXPECT_EQ(result.comparison.pixels_over, 1U);
+  EXPECT_EQ(result.ties.proven, 0U);
+  EXPECT_NEAR(result.comparison.max_error, 0.01, 1e-6);
+  EXPECT_EQ(result.comparison.worst.x, 25);
+  EXPECT_EQ(result.comparison.worst.y, 16);
+  const VerifyReport worse = references::verify({scene, path("missing")}, {}, {});
+  EXPECT_EQ(worse.exit_code(), 2) << "trouble outweighs a difference";
+}
+
+TEST_F(Verify, APixelThatIsNotFiniteNeverAgrees) {
+  const std::string scene = file("a.sdf", ball);
+  const Loaded loaded(scene);
+  const references::Cache cache;
+  references::PovrayPicture doctored;
+  doctored.image = loaded.render();
+  doctored.image.pixel(3, 3)[0] = std::numeric_limits<float>::quiet_NaN();
+  doctored.precision = "float32";
+  cache.store(loaded.job(), cache.version_of(references::Povray()), doctored);
+  const VerifyReport report = references::verify({scene}, {}, {});
+  EXPECT_EQ(report.exit_code(), 1);
+  EXPECT_TRUE(has(report.scenes[0].message, "1 pixels are not finite")) << report.scenes[0].message;
+}
+
+// Ties.
+
+TEST_F(Verify, CoincidentSurfacesAreProvenTiesAndTheirShapesNamed) {
+  const VerifyReport report = references::verify(
+      {file("a.sdf", coincident("red", "blue")), file("b.sdf", coincident("blue", "red"))}, {}, {});
+  EXPECT_EQ(report.exit_code(), 0);
+  for (const SceneResult& result : report.scenes) {
+    EXPECT_EQ(result.status, Status::agree) << result.message;
+    EXPECT_GT(result.ties.proven, 20U) << "POV-Ray chose as we did; about 100 were measured";
+    EXPECT_EQ(result.comparison.pixels_over, result.ties.proven);
+    EXPECT_EQ(result.ties.shapes, (std::vector<std::string>{"one", "two"}));
+    EXPECT_TRUE(has(result.message, std::to_string(result.ties.proven) + " of ")) << result.message;
+    EXPECT_TRUE(has(result.message, "'one' 'two'")) << result.message;
+  }
+}
+
+TEST_F(Verify, AGlassBoxOnAFloorAgreesButForTies) {
+  const VerifyReport report = references::verify({file("a.sdf", glass_on_floor)}, {}, {});
+  EXPECT_EQ(report.exit_code(), 0) << report.scenes[0].message;
+  EXPECT_GT(report.scenes[0].ties.proven, 0U);
+  EXPECT_LT(report.scenes[0].ties.proven, 48U * 36 / 20) << "up to 3 % were measured";
+  EXPECT_EQ(report.scenes[0].ties.shapes, (std::vector<std::string>{"stone", "floor"}));
+}
+
+/// The places of the overlap of the two boxes, a pixel away from its edges.
+std::vector<references::PixelPlace> places_of_overlap(const Image& one, const Image& other) {
+  const auto differs = [&](int x, int y) {
+    return !references::is_within(one.pixel(x, y), other.pixel(x, y), 1e-3);
+  };
+  std::vector<references::PixelPlace> places;
+  for (int y = 1; y + 1 < one.height; ++y) {
+    for (int x = 1; x + 1 < one.width; ++x) {
+      if (differs(x, y) && differs(x - 1, y) && differs(x + 1, y) && differs(x, y - 1) && differs(x, y + 1)) {
+        places.push_back({x, y});
+      }
+    }
+  }
+  return places;
+}
+
+references::TieReport ties_of(const Loaded& loaded, const Image& reference,
+                              const std::vector<references::PixelPlace>& places) {
+  return references::prove_ties(loaded.scene, loaded.camera(), {}, reference, places, 1e-6);
+}
+
+TEST_F(Verify, TheOtherOfTwoCoincidentSurfacesIsATieButAThirdColourIsNot) {
+  const Loaded loaded(file("a.sdf", coincident("red", "blue")));
+  // Either box a little nearer, so that only it is seen where both are.
+  const auto with_nearer = [&](std::size_t shape) {
+    Loaded nearer = loaded;
+    std::get<Box>(nearer.scene.shapes[shape].geometry).max.z += 1e-9;
+    return nearer.render();
+  };
+  const Image one = with_nearer(0);
+  const Image two = with_nearer(1);
+  const auto places = places_of_overlap(one, two);
+  ASSERT_GT(places.size(), 50U);
+  EXPECT_EQ(ties_of(loaded, one, places).proven, places.size());
+  EXPECT_EQ(ties_of(loaded, two, places).proven, places.size());
+  for (const float error : {0.01F, -0.01F, 1e-4F, 1e-5F}) {
+    for (Image wrong : {one, two}) {
+      for (const auto& place : places) wrong.pixel(place.x, place.y)[1] += error;
+      const auto report = ties_of(loaded, wrong, places);
+      EXPECT_EQ(report.proven, 0U) << error;
+      EXPECT_TRUE(report.shapes.empty()) << error;
+    }
+  }
+}
+
+TEST_F(Verify, WhatIsWrongAwayFromEdgesIsNeverATie) {
+  for (const std::string& text :
+       {ball, block, ball + "define shape box floor -9 -2 -9 9 -1.5 3 blue\n", coincident("red", "blue")}) {
+    const Loaded loaded(file("a.sdf", text));
+    const Image right = loaded.render();
+    Image wrong = right;
+    std::vector<references::PixelPlace> places;
+    for (int y = 2; y < 36; y += 5) {
+      for (int x = 2; x < 48; x += 5) places.push_back({x, y});
+    }
+    for (const auto& place : places) wrong.pixel(place.x, place.y)[2] += 0.01F;
+    EXPECT_EQ(ties_of(loaded, wrong, places).proven, 0U) << text;
+  }
+}
+
+TEST_F(Verify, ASceneThatIsRenderedWronglyIsNotExcused) {
+  // As if a sphere had been a hundredth larger: at its silhouette and in its shading.
+  const Loaded loaded(file("a.sdf", ball));
+  Loaded wrong = loaded;
+  std::get<Sphere>(wrong.scene.shapes[0].geometry).radius *= 1.01;
+  const Image reference = wrong.render();
+  const auto places = references::pixels_over(reference, loaded.render(), 1e-6);
+  ASSERT_GT(places.size(), 100U);
+  EXPECT_EQ(ties_of(loaded, reference, places).proven, 0U);
+}
+
+TEST_F(Verify, NothingOverNeedsNoProof) {
+  const Loaded loaded(file("a.sdf", ball));
+  const auto report = ties_of(loaded, loaded.render(), {});
+  EXPECT_EQ(report.proven, 0U);
+  EXPECT_TRUE(report.shapes.empty());
+}
+
+}  // namespace
+}  // namespace plumb::tests
