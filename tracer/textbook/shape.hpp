@@ -53,12 +53,17 @@ struct Surface {
 template <class Real>
 struct Query {
   const FormulaTable<Real>& formulas;
-  SurfaceId start;  ///< where the ray starts: that surface is not met again at t = 0
-  Real t_min;       ///< hits up to here cannot be told from the start by rounding
+  SurfaceId start;             ///< where the ray starts: that surface is not met again at t = 0
+  Real t_min;                  ///< hits up to here cannot be told from the start by rounding
+  bool is_shadow_ray = false;  ///< any hit that blocks the light is enough, it need not be the nearest
+  Real light_distance = 0;     ///< of a shadow ray
 
   /// Whether a hit counts and comes before the nearest so far. Two that rounding cannot tell apart are one
   /// place, and the first in the order of the file is taken: so coincident surfaces are crossed once.
-  bool is_nearer(Real t, Real nearest) const { return t > t_min && t < nearest - (t_min + rounding * t); }
+  bool is_nearer(Real t, Real nearest) const {
+    return t > t_min && t < nearest - (t_min + rounding * t) &&
+           (!is_shadow_ray || formulas.blocks_light(t, light_distance));
+  }
 
   /// Roundings on the way from a ray to t, in units of the last place: matrices, two dot products, a root.
   static constexpr Real rounding = 64 * std::numeric_limits<Real>::epsilon();
@@ -183,8 +188,10 @@ class Composite final : public Shape<Real> {
  private:
   void intersect_here(const Query<Real>& query, const Ray<Real>& ray, InstanceId first,
                       Hit<Real>& nearest) const override {
-    for (std::size_t i = 0; i < children_.size(); ++i)
+    for (std::size_t i = 0; i < children_.size(); ++i) {
       children_[i]->intersect(query, ray, first + offsets_[i], nearest);
+      if (query.is_shadow_ray && nearest.surface.instance != no_instance) return;
+    }
   }
   Surface<Real> surface_here(const Query<Real>& query, const Ray<Real>& ray, InstanceId first,
                              const Hit<Real>& hit) const override {

@@ -81,13 +81,18 @@ class Tracer {
   }
 
   /// Slide "Schatten": 0 where an object lies strictly between, else 1; glass as the options say.
-  Rgb<Real> visibility(Ray<Real> ray, SurfaceId start, Real distance) const {
+  Rgb<Real> visibility(const Ray<Real>& ray, SurfaceId start, Real distance) const {
+    if (options_.glass_shadow == GlassShadow::full)
+      return Rgb<Real>(world_.is_blocked(ray, start, distance) ? 0 : 1);
+    return visibility_through_glass(ray, start, distance);
+  }
+
+  Rgb<Real> visibility_through_glass(Ray<Real> ray, SurfaceId start, Real distance) const {
     Rgb<Real> delta(1);
     // A straight line crosses a convex object at most twice, which bounds the loop.
     for (InstanceId crossings = 0; crossings <= 2 * world_.instances(); ++crossings) {
-      const Hit<Real> hit = world_.nearest_hit(ray, start, distance);
+      const Hit<Real> hit = world_.nearest_hit(ray, start);
       if (hit.surface.instance == no_instance || !f_.blocks_light(hit.t, distance)) return delta;
-      if (options_.glass_shadow == GlassShadow::full) return Rgb<Real>(0);
       const Material<Real>& material = *world_.surface(ray, hit).material;
       if (!material.transmits) return Rgb<Real>(0);
       if (options_.glass_shadow == GlassShadow::filtered) delta *= material.transmit;

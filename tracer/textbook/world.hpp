@@ -50,13 +50,17 @@ class World {
   }
 
   /// The nearest hit with t > 0 of a ray of unit direction that starts on `start` (or in free space).
-  Hit<Real> nearest_hit(const Ray<Real>& ray, SurfaceId start,
-                        Real t_max = std::numeric_limits<Real>::infinity()) const {
+  Hit<Real> nearest_hit(const Ray<Real>& ray, SurfaceId start) const {
     Hit<Real> nearest;
-    nearest.t = t_max;
-    root_->intersect({formulas_, start, Query<Real>::rounding * largest_component(ray.origin)}, ray, 0,
-                     nearest);
+    root_->intersect({formulas_, start, smallest_t(ray)}, ray, 0, nearest);
     return nearest;
+  }
+
+  /// Whether any object blocks the light that lies in the unit direction of the ray.
+  bool is_blocked(const Ray<Real>& ray, SurfaceId start, Real light_distance) const {
+    Hit<Real> blocker;
+    root_->intersect({formulas_, start, smallest_t(ray), true, light_distance}, ray, 0, blocker);
+    return blocker.surface.instance != no_instance;
   }
 
   Surface<Real> surface(const Ray<Real>& ray, const Hit<Real>& hit) const {
@@ -64,9 +68,10 @@ class World {
   }
 
  private:
-  static Real largest_component(const Vec3<Real>& v) {
-    const Vec3<Real> size = glm::abs(v);
-    return std::max({size.x, size.y, size.z});
+  /// The rounding error of a hit at the origin of the ray.
+  static Real smallest_t(const Ray<Real>& ray) {
+    const Vec3<Real> size = glm::abs(ray.origin);
+    return Query<Real>::rounding * std::max({size.x, size.y, size.z});
   }
 
   using Built = std::vector<std::shared_ptr<const Shape<Real>>>;
