@@ -35,7 +35,8 @@ std::string default_directory() {
 }
 
 std::optional<std::string> read_if_there(const std::string& path) {
-  if (!fs::is_regular_file(path)) return std::nullopt;
+  std::error_code error;
+  if (!fs::is_regular_file(path, error)) return std::nullopt;
   try {
     return read_file(path);
   } catch (const std::runtime_error&) {
@@ -65,7 +66,7 @@ std::string pack(const PovrayPicture& picture) {
                    {"cpu_seconds", picture.cpu_seconds},
                    {"precision", picture.precision},
                    {"warnings", picture.warnings}};
-  std::string rest = about.dump() + "\n";
+  std::string rest = about.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
   const std::size_t at = rest.size();
   rest.resize(at + picture.image.rgb.size() * sizeof(float));
   std::memcpy(rest.data() + at, picture.image.rgb.data(), picture.image.rgb.size() * sizeof(float));
@@ -78,7 +79,7 @@ std::optional<PovrayPicture> unpack(std::string_view bytes) {
   if (!bytes.starts_with(magic) || bytes.size() < magic.size() + hash_length + 1) return std::nullopt;
   const std::string_view hash = bytes.substr(magic.size(), hash_length);
   const std::string_view rest = bytes.substr(magic.size() + hash_length + 1);
-  if (checksum(rest) != hash) return std::nullopt;
+  if (checksum(rest) != hash || bytes[magic.size() + hash_length] != '\n') return std::nullopt;
   const std::size_t line = rest.find('\n');
   const Json about = Json::parse(rest.substr(0, line));
   PovrayPicture picture;

@@ -10,6 +10,7 @@
 #include "references/process.hpp"
 #include "tracer/image/files.hpp"
 #include "tracer/image/io.hpp"
+#include "tracer/scene/writer.hpp"
 
 namespace plumb::references {
 namespace {
@@ -55,8 +56,7 @@ std::string lines_with(const std::string& output, std::initializer_list<const ch
 }
 
 std::string why_it_failed(const ProcessResult& result, const PovrayJob& job) {
-  if (result.timed_out)
-    return "POV-Ray took longer than " + std::to_string(static_cast<int>(job.time_limit_seconds)) + " s";
+  if (result.timed_out) return "POV-Ray took longer than " + to_text(job.time_limit_seconds) + " s";
   const std::string said = lines_with(result.output, {"rror"}, job.text);
   if (result.signal != 0)
     return "POV-Ray ended by signal " + std::to_string(result.signal) + (said.empty() ? "" : ": " + said);
@@ -65,15 +65,27 @@ std::string why_it_failed(const ProcessResult& result, const PovrayJob& job) {
          (said.empty() ? "it gave no reason" : said);
 }
 
-/// The checked fall-back: 16 bits, clamped at 1.
 Image read_png16(const std::string& path, const PovrayJob& job) {
   const ImageFile file = read_image(path);
   if (file.width != job.width || file.height != job.height || file.channels != 3) {
-    throw PovrayError("POV-Ray's PNG has another size or channel count than asked for");
+    throw std::runtime_error("its PNG has another size or channel count than asked for");
   }
   Image image(file.width, file.height);
   image.rgb = file.values;
   return image;
+}
+
+/// The checked fall-back when the state file cannot be used.
+void fall_back_to_png(const std::string& path, const PovrayJob& job, const std::string& why,
+                      PovrayPicture& picture) {
+  try {
+    picture.image = read_png16(path, job);
+  } catch (const std::runtime_error& error) {
+    throw PovrayError("POV-Ray left no usable picture: " + why + "; " + error.what());
+  }
+  picture.precision = "png16";
+  picture.warnings += (picture.warnings.empty() ? "" : "\n") + why +
+                      ": 16 bits of its PNG are used, clamped at 1 and off by up to 7.7e-6";
 }
 
 }  // namespace
@@ -134,10 +146,7 @@ PovrayPicture Povray::render(const PovrayJob& job) const {
     picture.image = read_povray_state(read_file(state), job.width, job.height);
     picture.precision = "float32";
   } catch (const std::runtime_error& error) {
-    picture.image = read_png16(directory.path() + "/out.png", job);
-    picture.precision = "png16";
-    picture.warnings += (picture.warnings.empty() ? "" : "\n") + std::string(error.what()) +
-                        ": 16 bits of its PNG are used, clamped at 1 and off by up to 7.7e-6";
+    fall_back_to_png(directory.path() + "/out.png", job, error.what(), picture);
   }
   return picture;
 }

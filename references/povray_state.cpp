@@ -115,7 +115,9 @@ Image read_povray_state(std::string_view bytes, int width, int height) {
     reader.expect("RAWS");
     const Block block = read_message(reader.take(size));
     if (block.pixels.empty()) continue;
-    if (block.ints.size() < 4) throw std::runtime_error("a block of POV-Ray's state file has no place");
+    const bool has_place = block.ints.contains("Left") && block.ints.contains("Top ") &&
+                           block.ints.contains("Righ") && block.ints.contains("Bott");
+    if (!has_place) throw std::runtime_error("a block of POV-Ray's state file has no place");
     place(block, image, is_covered);
   }
   for (const bool covered : is_covered) {

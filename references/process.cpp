@@ -8,7 +8,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <chrono>
+#include <cmath>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
@@ -62,9 +65,12 @@ ProcessResult wait_for(pid_t child, double limit_seconds) {
   // glibc 2.36 declares pidfd_open without C linkage.
   const int handle = static_cast<int>(syscall(SYS_pidfd_open, child, 0));
   pollfd waiting{handle, POLLIN, 0};
-  int ready = 0;
+  using Clock = std::chrono::steady_clock;
+  const auto end = Clock::now() + std::chrono::duration<double>(limit_seconds);
+  int ready = -1;
   do {
-    ready = poll(&waiting, 1, static_cast<int>(limit_seconds * 1000));
+    const double left = std::chrono::duration<double, std::milli>(end - Clock::now()).count();
+    ready = poll(&waiting, 1, static_cast<int>(std::clamp(std::ceil(left), 0.0, 1e9)));
   } while (ready < 0 && errno == EINTR);
   close(handle);
   if (ready == 0) {

@@ -13,9 +13,10 @@ namespace plumb::references {
 namespace {
 
 constexpr double relative_step = 1e-8;
-constexpr int patterns = 48;         // two surfaces stay in one order in all of them once in 2^47 cases
-constexpr int most_patterns = 4096;  // for pixels that vary: many ties in one ray tree have many outcomes
-constexpr int patterns_of_one = 6;   // of a single shape, to find out whether it takes part
+constexpr double smallest_jump = 1e-5;  // moving by 1e-8 changes a smooth pixel by far less
+constexpr int patterns = 48;            // two surfaces stay in one order in all of them once in 2^47 cases
+constexpr int most_patterns = 4096;     // for pixels that vary: many ties in one ray tree have many outcomes
+constexpr int patterns_of_one = 6;      // of a single shape, to find out whether it takes part
 constexpr std::size_t pixels_named = 64;  // the shapes are looked for in so many tied pixels
 
 using Colour = std::array<float, 3>;
@@ -110,50 +111,61 @@ void name_shapes(const Scene& scene, const Camera& camera, const RenderOptions& 
 struct Suspect {
   PixelPlace place;
   Colour unmoved;
-  bool varies = false;   ///< moving surfaces changes it by more than the tolerance
-  bool is_tied = false;  ///< and one outcome is the reference's
+  bool varies = false;         ///< moving surfaces makes it jump
+  bool is_reproduced = false;  ///< and one outcome is the reference's
+
+  bool is_tied() const { return varies && is_reproduced; }
 };
+
+/// Tries the pattern on every pixel that is not proven yet.
+void try_pattern(const PixelTracer& moved, const Image& reference, double tolerance,
+                 std::vector<Suspect>& suspects) {
+  const double jump = std::max(tolerance, smallest_jump);
+  for (Suspect& s : suspects) {
+    if (s.is_tied()) continue;
+    const Colour outcome = moved.at(s.place);
+    s.varies = s.varies || !is_within(s.unmoved.data(), outcome.data(), jump);
+    s.is_reproduced =
+        s.is_reproduced || is_within(reference.pixel(s.place.x, s.place.y), outcome.data(), tolerance);
+  }
+}
+
+/// At most `count` of the pixels, spread evenly.
+std::vector<PixelPlace> sample_of(const std::vector<PixelPlace>& pixels, std::size_t count) {
+  std::vector<PixelPlace> sample;
+  const std::size_t stride = std::max<std::size_t>(1, pixels.size() / count);
+  for (std::size_t i = 0; i < pixels.size(); i += stride) sample.push_back(pixels[i]);
+  return sample;
+}
 
 }  // namespace
 
 TieReport prove_ties(const Scene& scene, const Camera& camera, const RenderOptions& options,
                      const Image& reference, const std::vector<PixelPlace>& pixels, double tolerance) {
-  TieReport report;
-  if (pixels.empty()) return report;
+  if (pixels.empty()) return {};
   const double step = relative_step * scene_extent(scene, camera);
   std::mt19937 random(1);  // any seed: the patterns are to be the same every time
   const PixelTracer still(scene, camera, reference, options);
   std::vector<Suspect> suspects;
   for (const PixelPlace place : pixels) suspects.push_back({place, still.at(place)});
-  for (int pattern = 0; pattern < most_patterns && !suspects.empty(); ++pattern) {
-    if (pattern == patterns)
-      std::erase_if(suspects, [](const Suspect& s) { return !s.varies && !s.is_tied; });
-    const bool all_tied =
-        std::all_of(suspects.begin(), suspects.end(), [](const Suspect& s) { return s.is_tied; });
-    if (pattern >= patterns && all_tied) break;
-    const double move =
-        pattern % 8 < 4 ? step : step / 1000;  // small against what leaving_at_edges takes for an edge
+  for (int pattern = 0; pattern < most_patterns; ++pattern) {
+    if (pattern == patterns) std::erase_if(suspects, [](const Suspect& s) { return !s.varies; });
+    if (std::all_of(suspects.begin(), suspects.end(), [](const Suspect& s) { return s.is_tied(); })) break;
+    // The smaller step is small against what leaving_at_edges takes for an edge.
+    const double move = pattern % 8 < 4 ? step : step / 1000;
     const PixelTracer moved(moved_at_random(scene, move, random), camera, reference, options,
                             formulas_for_pattern(pattern));
-    for (Suspect& suspect : suspects) {
-      if (suspect.is_tied) continue;
-      const Colour outcome = moved.at(suspect.place);
-      suspect.varies = suspect.varies || !is_within(suspect.unmoved.data(), outcome.data(), tolerance);
-      suspect.is_tied =
-          is_within(reference.pixel(suspect.place.x, suspect.place.y), outcome.data(), tolerance);
-    }
+    try_pattern(moved, reference, tolerance, suspects);
   }
   std::vector<PixelPlace> tied;
   for (const Suspect& suspect : suspects) {
-    if (suspect.is_tied) tied.push_back(suspect.place);
+    if (suspect.is_tied()) tied.push_back(suspect.place);
   }
-  report.proven = tied.size();
+  TieReport report{tied.size(), {}};
   if (tied.empty()) return report;
-  std::vector<PixelPlace> sample;
-  const std::size_t stride = std::max<std::size_t>(1, tied.size() / pixels_named);
-  for (std::size_t i = 0; i < tied.size(); i += stride) sample.push_back(tied[i]);
   std::set<ShapeId> found;
-  name_shapes(scene, camera, options, reference, sample, step, tolerance, random, found);
+  name_shapes(scene, camera, options, reference, sample_of(tied, pixels_named), step, tolerance, random,
+              found);
   for (const ShapeId id : found) report.shapes.push_back(scene.shapes[id].name);
   return report;
 }

@@ -18,8 +18,8 @@ struct TieReport {
 };
 
 /// Proof of a tie: every sphere and every face of a box is moved by 1e-8 of the scene's extent, in several
-/// patterns. When that changes the pixel by more than the tolerance, and one of the outcomes is the
-/// reference's value within the tolerance, then what is seen there hangs on a distance below 1e-8 of the
+/// patterns. When that makes the pixel jump by more than 1e-5 and the tolerance, and one of the outcomes is
+/// the reference's value within the tolerance, then what is seen there hangs on a distance below 1e-8 of the
 /// scene, and the reference decided it in one of the possible ways. (POV-Ray takes the nearest of two hits
 /// only when they are 1e-4 units apart, which is 1e-8 of the exported scene.)
 TieReport prove_ties(const Scene& scene, const Camera& camera, const RenderOptions& options,

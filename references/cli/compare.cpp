@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "references/cli/commands.hpp"
+#include "references/cli/options.hpp"
 #include "references/cli/report.hpp"
 #include "references/comparison.hpp"
 #include "tracer/image/io.hpp"
@@ -78,11 +79,7 @@ Command add_compare(CLI::App& plumb) {
   auto options = std::make_shared<Options>();
   app->add_option("REFERENCE", options->reference, "image that is taken to be right")->required();
   app->add_option("TEST", options->test, "image to be judged")->required();
-  app->add_option("--tolerance", options->tolerance,
-                  "largest error of a component, relative above 1, that agrees")
-      ->type_name("T")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
+  add_tolerance(*app, options->tolerance);
   app->add_option("--json", options->json, "write the results as JSON; - is standard output")
       ->type_name("FILE");
   app->footer(

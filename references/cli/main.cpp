@@ -1,6 +1,7 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <new>
 #include <vector>
 
 #include "references/cli/commands.hpp"
@@ -13,7 +14,7 @@ int run(int argc, char** argv) {
       "plumb tells whether a ray tracer is right: it renders a course scene, has POV-Ray render the same "
       "scene, and compares every pixel.");
   app.set_version_flag("--version", "plumb " PLUMB_VERSION);
-  app.require_subcommand(1);
+  app.require_subcommand(0, 1);  // so that an unknown word is named
   app.footer("Example: plumb verify tests/scenes/*.sdf\nExit codes: 0 agrees, 1 differs, 2 trouble.");
   const std::vector<Command> commands{add_render(app),  add_export(app), add_verify(app),
                                       add_compare(app), add_lint(app),   add_references(app)};
@@ -25,6 +26,7 @@ int run(int argc, char** argv) {
   for (const Command& command : commands) {
     if (command.app->parsed()) return command.run();
   }
+  std::fputs(app.help().c_str(), stderr);
   return exit_trouble;
 }
 
@@ -34,7 +36,13 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);  // a file too large is then an error of write(), with a message
   try {
-    return plumb::cli::run(argc, argv);
+    const int code = plumb::cli::run(argc, argv);
+    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
+    std::fprintf(stderr, "standard output: cannot be written\n");
+    return plumb::cli::exit_trouble;
+  } catch (const std::bad_alloc&) {
+    std::fprintf(stderr, "out of memory; choose a smaller size\n");
+    return plumb::cli::exit_trouble;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return plumb::cli::exit_trouble;

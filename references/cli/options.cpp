@@ -4,6 +4,8 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "tracer/scene/lexer.hpp"
+
 namespace plumb::cli {
 namespace {
 
@@ -45,6 +47,21 @@ void add_scene_options(CLI::App& app, SceneOptions& options) {
 void add_real(CLI::App& app, SceneOptions& options) {
   app.add_option("--real", options.real, "type of real numbers")
       ->check(CLI::IsMember({"float", "double", "long-double"}))
+      ->capture_default_str();
+}
+
+void add_tolerance(CLI::App& app, double& tolerance) {
+  const CLI::Validator finite_and_positive(
+      [](std::string& text) -> std::string {
+        const Number number = parse_number(text);
+        if (number.complaint.empty() && number.value >= 0) return {};
+        return "found " + plumb::quoted(text) + ", expected a finite number >= 0";
+      },
+      "");
+  app.add_option("--tolerance", tolerance,
+                 "largest error of a linear component, relative above 1, that agrees")
+      ->type_name("T")
+      ->check(finite_and_positive)
       ->capture_default_str();
 }
 

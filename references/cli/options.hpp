@@ -39,6 +39,9 @@ struct View {
 };
 View view_of(const Scene& scene, const SceneOptions& options);
 
+/// --tolerance, finite and >= 0.
+void add_tolerance(CLI::App& app, double& tolerance);
+
 /// Prints a line on standard error.
 void warn(const std::string& line);
 

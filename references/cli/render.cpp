@@ -33,6 +33,8 @@ int render(const Options& options) {
   const std::string path = options.image.empty()
                                ? std::filesystem::path(scene.renders.front().file).filename().string()
                                : options.image;
+  if (options.image.empty() && path == "-")
+    throw std::invalid_argument("the scene's render line names no file; name one with -o");
   const Encoding encoding = encoding_of(options, path);
   if (const auto complaint = complaint_about(path, encoding)) {
     throw std::invalid_argument(*complaint + (options.image.empty() ? "; or name the image with -o" : ""));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 
 #include "tracer/image/files.hpp"
 
@@ -73,7 +74,7 @@ std::string table_head() {
 std::string table_row(const SceneResult& r) {
   constexpr std::size_t width = 34;
   const std::string name =
-      r.scene.size() <= width ? r.scene : "..." + r.scene.substr(r.scene.size() - width + 3);
+      r.scene.size() <= width ? r.scene : std::filesystem::path(r.scene).filename().string();
   std::string row = formatted("%-34s ", name.c_str());
   if (r.status == Status::error) {
     row += formatted("%10s %10s %8s %6s  ", "-", "-", "-", "-");

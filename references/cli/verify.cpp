@@ -60,11 +60,7 @@ Command add_verify(CLI::App& plumb) {
       "verify", "Render scenes, have POV-Ray render the equivalent export, and compare every pixel.");
   auto options = std::make_shared<Options>();
   app->add_option("SCENE", options->scenes, "scene files")->required()->expected(-1);
-  app->add_option("--tolerance", options->tolerance,
-                  "largest error of a linear component, relative above 1, that agrees")
-      ->type_name("T")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
+  add_tolerance(*app, options->tolerance);
   app->add_flag("--stored", options->stored, "compare with the stored reference images; start no POV-Ray");
   app->add_option("--jobs", options->jobs, "scenes at once; default: as many as keep the machine busy")
       ->type_name("N")

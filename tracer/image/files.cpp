@@ -53,6 +53,27 @@ void write_to(const std::string& target, int flags, std::string_view bytes, cons
   write_all(file.number(), bytes, named);
 }
 
+/// A short name in the same directory.
+std::string path_aside(const std::string& path) {
+  static std::atomic<unsigned> number{0};
+  const std::size_t slash = path.find_last_of('/');
+  const std::string directory = slash == std::string::npos ? "" : path.substr(0, slash + 1);
+  return directory + ".plumb-" + std::to_string(::getpid()) + "-" + std::to_string(number++);
+}
+
+/// Renames the file written aside, after its data are on disk; removes it when that fails.
+void put_in_place(const std::string& aside, const std::string& path) {
+  int error = 0;
+  {
+    const Descriptor file(::open(aside.c_str(), O_RDONLY | O_CLOEXEC));
+    if (file.number() < 0 || ::fsync(file.number()) != 0) error = errno;
+  }
+  if (error == 0 && std::rename(aside.c_str(), path.c_str()) != 0) error = errno;
+  if (error == 0) return;
+  ::unlink(aside.c_str());
+  fail(path, error);
+}
+
 }  // namespace
 
 std::string read_file(const std::string& path) {
@@ -88,25 +109,6 @@ void write_file(const std::string& path, std::string_view bytes) {
     throw;
   }
   put_in_place(aside, path);
-}
-
-std::string path_aside(const std::string& path) {
-  static std::atomic<unsigned> number{0};
-  const std::size_t name = path.find_last_of('/') == std::string::npos ? 0 : path.find_last_of('/') + 1;
-  return path.substr(0, name) + ".plumb-" + std::to_string(::getpid()) + "-" + std::to_string(number++) +
-         "-" + path.substr(name);
-}
-
-void put_in_place(const std::string& aside, const std::string& path) {
-  int error = 0;
-  {
-    const Descriptor file(::open(aside.c_str(), O_RDONLY | O_CLOEXEC));
-    if (file.number() < 0 || ::fsync(file.number()) != 0) error = errno;
-  }
-  if (error == 0 && std::rename(aside.c_str(), path.c_str()) != 0) error = errno;
-  if (error == 0) return;
-  ::unlink(aside.c_str());
-  fail(path, error);
 }
 
 }  // namespace plumb

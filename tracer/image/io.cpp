@@ -1,15 +1,14 @@
 #include "tracer/image/io.hpp"
 
 #include <dlfcn.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
 #include <stdexcept>
 
-#include "tracer/image/oiio_module.hpp"
 #include "tracer/image/files.hpp"
+#include "tracer/image/oiio_module.hpp"
 
 namespace plumb {
 namespace {
@@ -36,13 +35,15 @@ template <class Function>
 Function symbol(const char* name) {
   static void* const module = dlopen(module_path().c_str(), RTLD_NOW | RTLD_LOCAL);
   void* const found = module == nullptr ? nullptr : dlsym(module, name);
-  if (found == nullptr) throw std::runtime_error(std::string("the OpenImageIO module cannot be loaded: ") + dlerror());
+  if (found == nullptr)
+    throw std::runtime_error(std::string("the OpenImageIO module cannot be loaded: ") + dlerror());
   return reinterpret_cast<Function>(found);
 }
 
 std::vector<float> as_floats(const std::vector<std::uint8_t>& bytes) {
   std::vector<float> values(bytes.size());
-  std::transform(bytes.begin(), bytes.end(), values.begin(), [](std::uint8_t b) { return static_cast<float>(b) / 255; });
+  std::transform(bytes.begin(), bytes.end(), values.begin(),
+                 [](std::uint8_t b) { return static_cast<float>(b) / 255; });
   return values;
 }
 
@@ -56,13 +57,10 @@ void write_through_oiio(const std::string& path, const Image& image, Encoding en
     pixels.values = as_floats(encode_8_bits(image, encoding));
     depth = oiio::Depth::bits8;
   }
-  const std::string aside = path_aside(path);
-  const std::string complaint = symbol<oiio::Write>(oiio::write_symbol)(aside, pixels, depth);
-  if (!complaint.empty()) {
-    ::unlink(aside.c_str());
-    throw std::runtime_error(path + ": cannot be written: " + complaint);
-  }
-  put_in_place(aside, path);
+  std::string bytes;
+  const std::string complaint = symbol<oiio::Write>(oiio::write_symbol)(path, pixels, depth, bytes);
+  if (!complaint.empty()) throw std::runtime_error(path + ": cannot be written: " + complaint);
+  write_file(path, bytes);
 }
 
 }  // namespace
@@ -103,7 +101,8 @@ ImageFile read_image(const std::string& path) {
   if (extension == ".ppm") return from_ppm(read_file(path), path);
   std::error_code error;
   const auto kind = std::filesystem::status(path, error).type();
-  if (kind == std::filesystem::file_type::not_found) throw std::runtime_error(path + ": there is no such file");
+  if (kind == std::filesystem::file_type::not_found)
+    throw std::runtime_error(path + ": there is no such file");
   if (kind == std::filesystem::file_type::directory) {
     throw std::runtime_error(path + ": is a directory, expected an image");
   }

@@ -2,6 +2,7 @@
 
 #include <bit>
 #include <charconv>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <stdexcept>
@@ -99,7 +100,7 @@ ImageFile from_pfm(std::string_view bytes, const std::string& name) {
   if (magic != "PF" && magic != "Pf") tokens.fail("is no PFM file");
   ImageFile file = sized(tokens, magic == "PF" ? 3 : 1);
   const double scale = tokens.number<double>();
-  if (scale == 0) tokens.fail("its scale is 0, expected -1 or 1");
+  if (scale == 0 || !std::isfinite(scale)) tokens.fail("its scale is 0 or not finite, expected -1 or 1");
   const std::string_view data = tokens.data();
   if (data.size() < value_count(file) * sizeof(float))
     tokens.fail("it ends too early: the file is truncated");

@@ -1,5 +1,6 @@
 #include "tracer/image/oiio_module.hpp"
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
 #include <cstddef>
@@ -29,13 +30,18 @@ extern "C" {
 #pragma GCC diagnostic ignored "-Wreturn-type-c-linkage"
 #endif
 
-std::string plumb_oiio_write(const std::string& path, const plumb::oiio::Pixels& pixels,
-                             plumb::oiio::Depth depth) {
-  const auto out = plumb::oiio::lib::ImageOutput::create(path);
-  if (!out) return plumb::oiio::lib::geterror();
-  if (!out->open(path, plumb::oiio::spec_for(pixels, depth))) return out->geterror();
-  if (!out->write_image(plumb::oiio::lib::TypeDesc::FLOAT, pixels.values.data())) return out->geterror();
+std::string plumb_oiio_write(const std::string& name, const plumb::oiio::Pixels& pixels,
+                             plumb::oiio::Depth depth, std::string& bytes) {
+  namespace lib = plumb::oiio::lib;
+  const auto out = lib::ImageOutput::create(name);
+  if (!out) return lib::geterror();
+  std::vector<unsigned char> written;
+  lib::Filesystem::IOVecOutput memory(written);
+  if (!out->set_ioproxy(&memory)) return "this format cannot be written to memory";
+  if (!out->open(name, plumb::oiio::spec_for(pixels, depth))) return out->geterror();
+  if (!out->write_image(lib::TypeDesc::FLOAT, pixels.values.data())) return out->geterror();
   if (!out->close()) return out->geterror();
+  bytes.assign(written.begin(), written.end());
   return {};
 }
 

@@ -16,8 +16,9 @@ struct Pixels {
 
 enum class Depth { float32, bits16_linear, bits8 };
 
-/// Both return an empty string, or what went wrong.
-using Write = std::string (*)(const std::string& path, const Pixels& pixels, Depth depth);
+/// Both return an empty string, or what went wrong. Writing goes to memory, in the format of the name:
+/// OpenImageIO does not notice a full disk.
+using Write = std::string (*)(const std::string& name, const Pixels& pixels, Depth depth, std::string& bytes);
 using Read = std::string (*)(const std::string& path, Pixels& pixels);
 
 inline constexpr const char* module_name = "plumb_openimageio.so";

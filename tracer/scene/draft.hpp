@@ -81,6 +81,8 @@ struct Draft {
   std::vector<RenderLine> renders;
   std::optional<Resolution> camera_resolution;  ///< of the loose dialect, for a file without `render`
   Rgbd ambient_of_lights{0};                    ///< sum of La
+  bool has_render_line = false;                 ///< even if it could not be read
+  int unknown_names = 0;
   int last_line = 0;
 
   Finding& say(Severity severity, Place place, std::string message, std::string remedy = {}) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "tracer/scene/lexer.hpp"
 #include "tracer/scene/reader.hpp"
 
 namespace plumb {
@@ -57,10 +58,11 @@ std::uint64_t saturating_add(std::uint64_t a, std::uint64_t b) {
   return a > most - b ? most : a + b;
 }
 
-std::vector<std::uint64_t> count_instances(const Scene& scene, const std::vector<ShapeId>& order) {
+std::vector<std::uint64_t> count_instances(const Scene& scene, const std::vector<ShapeId>& order,
+                                           bool every_node) {
   std::vector<std::uint64_t> count(scene.shapes.size(), 0);
   for (const ShapeId id : order) {
-    if (material_of(scene.shapes[id]) != nullptr) count[id] = 1;
+    count[id] = every_node || material_of(scene.shapes[id]) != nullptr ? 1 : 0;
     for (const ShapeId child : children_of(scene.shapes[id]))
       count[id] = saturating_add(count[id], count[child]);
   }
@@ -78,12 +80,12 @@ HierarchyError cycle_error(const Scene& scene, const std::vector<ShapeId>& order
     return *std::find_if(children.begin(), children.end(), [&](ShapeId child) { return !is_sorted[child]; });
   };
   for (; !is_seen[at]; at = next(at)) is_seen[at] = true;
-  std::string path = "'" + scene.shapes[at].name + "'";
+  std::string path = quoted(scene.shapes[at].name);
   ShapeId step = next(at);
   for (std::size_t shown = 0; step != at && shown < 4; ++shown, step = next(step)) {
-    path += " > '" + scene.shapes[step].name + "'";
+    path += " > " + quoted(scene.shapes[step].name);
   }
-  path += step == at ? " > '" + scene.shapes[at].name + "'" : " > ...";
+  path += step == at ? " > " + quoted(scene.shapes[at].name) : " > ...";
   return {at, "found a composite that contains itself (" + path +
                   "), expected no cycle; remove one of these children"};
 }
@@ -91,14 +93,14 @@ HierarchyError cycle_error(const Scene& scene, const std::vector<ShapeId>& order
 }  // namespace
 
 std::vector<std::uint64_t> count_instances(const Scene& scene) {
-  return count_instances(scene, children_first(scene));
+  return count_instances(scene, children_first(scene), false);
 }
 
 std::vector<HierarchyError> check_hierarchy(const Scene& scene) {
   const std::vector<ShapeId> order = children_first(scene);
   if (order.size() < scene.shapes.size()) return {cycle_error(scene, order)};
   const auto depth = depth_below(scene, order);
-  const auto count = count_instances(scene, order);
+  const auto count = count_instances(scene, order, true);
   std::vector<HierarchyError> errors;
   std::uint64_t total = 0;
   for (const ShapeId root : scene.roots()) {
@@ -109,8 +111,9 @@ std::vector<HierarchyError> check_hierarchy(const Scene& scene) {
                                   "; put children side by side"});
     }
     if (total > max_instances && total - count[root] <= max_instances) {
-      errors.push_back({root, "found more than " + std::to_string(max_instances) +
-                                  " spheres and boxes (shared children counted each time), expected fewer"});
+      errors.push_back(
+          {root, "found more than " + std::to_string(max_instances) +
+                     " spheres, boxes and composites (shared children counted each time), expected fewer"});
     }
   }
   if (!errors.empty()) return errors;
@@ -121,8 +124,8 @@ std::vector<HierarchyError> check_hierarchy(const Scene& scene) {
     is_reported[instance.shape] = true;
     errors.push_back(
         {instance.shape,
-         "found a transform of '" + scene.shapes[instance.shape].name +
-             "' that overflows, expected a matrix and an inverse of finite numbers; use smaller factors"});
+         "found a transform of " + quoted(scene.shapes[instance.shape].name) +
+             " that overflows, expected a matrix and an inverse of finite numbers; use smaller factors"});
   });
   return errors;
 }

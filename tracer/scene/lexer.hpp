@@ -27,7 +27,7 @@ Number parse_number(std::string_view text);
 /// The text for a message: quoted, at most 40 bytes, unprintable bytes as \xNN.
 std::string quoted(std::string_view text);
 
-/// The candidate nearest to `name` by edit distance (Levenshtein, 1966), if one is near enough to be a slip.
+/// The candidate nearest to `name` by edit distance, if one is near enough to be a slip.
 std::optional<std::string> nearest_name(std::string_view name,
                                         const std::vector<std::string_view>& candidates);
 

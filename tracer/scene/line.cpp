@@ -1,5 +1,7 @@
 #include "tracer/scene/line.hpp"
 
+#include <cmath>
+
 namespace plumb {
 
 std::string count_of(std::size_t n, const char* one) {
@@ -40,7 +42,8 @@ void Line::unknown_word(const Token& token, const std::string& expected,
     list += word;
   }
   const auto nearest = nearest_name(token.text, known);
-  error(token, "expected " + expected + ": " + list + (nearest ? "; did you mean '" + *nearest + "'?" : ""));
+  error(token,
+        "expected " + expected + ": " + list + (nearest ? "; did you mean " + quoted(*nearest) + "?" : ""));
 }
 
 void Line::not_negative(const Token& name, const Rgbd& colour, const char* what) {
@@ -55,6 +58,10 @@ std::optional<std::vector<double>> Line::numbers(const Tokens& tokens, std::size
     const Number number = parse_number(tokens[i].text);
     if (!number.complaint.empty()) {
       error(tokens[i], "expected a number; " + number.complaint);
+      return std::nullopt;
+    }
+    if (std::abs(number.value) > largest_number) {
+      error(tokens[i], "expected a number between -1e100 and 1e100: squares of larger ones overflow");
       return std::nullopt;
     }
     values.push_back(number.value);

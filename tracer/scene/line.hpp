@@ -53,6 +53,10 @@ class Line {
   int number_;
 };
 
+inline constexpr double largest_number = 1e100;
+inline constexpr double smallest_length =
+    1e-100;  ///< of a radius, or a factor of scale: its square underflows
+
 /// Three numbers from a place on.
 inline Vec3d vec3(const std::vector<double>& v, std::size_t at) { return {v[at], v[at + 1], v[at + 2]}; }
 

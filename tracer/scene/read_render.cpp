@@ -108,6 +108,7 @@ void read_loose(Line& line, const Token& keyword, const Tokens& tokens) {
 }  // namespace
 
 void read_render(Line& line, const Token& keyword, Tokens& tokens) {
+  line.draft().has_render_line = true;
   if (keyword.text != "render" || !is_strict(tokens)) {
     return line.dialect().loose ? read_loose(line, keyword, tokens) : report(line, keyword, tokens);
   }

@@ -41,7 +41,7 @@ void sphere(Line& line, const Token& name, const Token& material, const std::vec
     line.warning(name, "radius of " + quoted(name.text) + " is negative: its absolute value is used");
     radius = -radius;
   }
-  if (!(radius > 0)) {
+  if (!(radius >= smallest_length)) {
     line.say(Severity::error, line.place_of(name),
              "found radius " + std::to_string(radius) + " of " + quoted(name.text) +
                  ", expected a radius > 0" +

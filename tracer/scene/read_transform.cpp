@@ -20,7 +20,8 @@ std::optional<TransformStep> rotate_step(Line& line, const Token& kind, double d
 }
 
 std::optional<TransformStep> scale_step(Line& line, const Token& kind, const Vec3d& by) {
-  if (by.x != 0 && by.y != 0 && by.z != 0) return Scale{by};
+  const Vec3d size = glm::abs(by);
+  if (std::min({size.x, size.y, size.z}) >= smallest_length) return Scale{by};
   line.error(kind,
              "expected no factor of 0: it flattens the object so that it has no inverse; use a small factor");
   return std::nullopt;

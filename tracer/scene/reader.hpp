@@ -58,8 +58,7 @@ std::vector<std::string> propose_dialects(std::string_view text);
 std::optional<std::string> nearest_dialect(std::string_view text);
 
 /// The limits beyond which a scene is refused.
-inline constexpr std::size_t max_nesting = 1000;  ///< composites within composites
-inline constexpr std::size_t max_instances =
-    1'000'000;  ///< spheres and boxes after shared children are counted
+inline constexpr std::size_t max_nesting = 1000;         ///< composites within composites
+inline constexpr std::size_t max_instances = 1'000'000;  ///< shapes, a shared child counted once per path
 
 }  // namespace plumb

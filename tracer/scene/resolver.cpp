@@ -14,10 +14,12 @@ void look_up(Draft& draft, const Names& names, const Reference& reference, const
     use(*id);
     return;
   }
-  const auto nearest = nearest_name(reference.name, names.all());
+  constexpr int most_suggestions = 20;  // each looks at all names
+  const auto nearest =
+      ++draft.unknown_names > most_suggestions ? std::nullopt : nearest_name(reference.name, names.all());
   draft.say(Severity::error, reference.place,
             "found " + quoted(reference.name) + ", expected the name of a " + what + " that is defined; " +
-                (nearest ? "did you mean '" + *nearest + "'?" : "define it"));
+                (nearest ? "did you mean " + quoted(*nearest) + "?" : "define it"));
 }
 
 bool is_broken(const Draft& draft, std::string_view name) {
@@ -121,8 +123,9 @@ RenderRequest default_render(Draft& draft) {
   RenderRequest request;
   request.camera = draft.scene.cameras.front().name;
   if (!draft.camera_resolution) {
-    draft.say(Severity::warning, {draft.last_line, 1},
-              "no render: camera '" + request.camera + "', image.ppm, 480 x 320 are taken");
+    if (!draft.has_render_line)
+      draft.say(Severity::warning, {draft.last_line, 1},
+                "no render: camera '" + request.camera + "', image.ppm, 480 x 320 are taken");
     return request;
   }
   const auto& [width, height, place] = *draft.camera_resolution;
@@ -185,7 +188,9 @@ void warn_of_emptiness(Draft& draft) {
   if (draft.scene.shapes.empty() && !draft.has_errors()) {
     draft.say(Severity::warning, end, "no shapes: the picture is background only");
   }
-  if (draft.scene.lights.empty() && !draft.scene.shapes.empty()) {
+  const bool any_scatters = std::any_of(draft.scene.materials.begin(), draft.scene.materials.end(),
+                                        [](const Material& m) { return m.kd != Rgbd(0) || m.ks != Rgbd(0); });
+  if (draft.scene.lights.empty() && !draft.scene.shapes.empty() && any_scatters) {
     draft.say(Severity::warning, end, "no lights: only ambient light is seen");
   }
 }

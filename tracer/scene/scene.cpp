@@ -2,6 +2,8 @@
 
 #include <stdexcept>
 
+#include "tracer/scene/lexer.hpp"
+
 namespace plumb {
 
 std::vector<ShapeId> Scene::roots() const {
@@ -22,9 +24,9 @@ const Camera& Scene::camera(const std::string& name) const {
   std::string known;
   for (const Camera& candidate : cameras) {
     if (candidate.name == name) return candidate;
-    known += (known.empty() ? "'" : ", '") + candidate.name + "'";
+    known += (known.empty() ? "" : ", ") + quoted(candidate.name);
   }
-  throw std::invalid_argument("no camera '" + name + "' in the scene; it has " + known);
+  throw std::invalid_argument("no camera " + quoted(name) + " in the scene; it has " + known);
 }
 
 const MaterialId* material_of(const Shape& shape) {
