@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "references/cli/commands.hpp"
+#include "references/cli/options.hpp"
 
 namespace plumb::cli {
 namespace {
@@ -37,9 +38,8 @@ int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);  // a file too large is then an error of write(), with a message
   try {
     const int code = plumb::cli::run(argc, argv);
-    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
-    std::fprintf(stderr, "standard output: cannot be written\n");
-    return plumb::cli::exit_trouble;
+    plumb::cli::flush_output();
+    return code;
   } catch (const std::bad_alloc&) {
     std::fprintf(stderr, "out of memory; choose a smaller size\n");
     return plumb::cli::exit_trouble;

@@ -1,7 +1,9 @@
 #include "references/cli/options.hpp"
 
+#include <cerrno>
 #include <charconv>
 #include <cstdio>
+#include <cstring>
 #include <stdexcept>
 
 #include "tracer/scene/lexer.hpp"
@@ -55,7 +57,7 @@ void add_tolerance(CLI::App& app, double& tolerance) {
       [](std::string& text) -> std::string {
         const Number number = parse_number(text);
         if (number.complaint.empty() && number.value >= 0) return {};
-        return "found " + plumb::quoted(text) + ", expected a finite number >= 0";
+        return "found " + in_quotes(text) + ", expected a finite number >= 0";
       },
       "");
   app.add_option("--tolerance", tolerance,
@@ -104,6 +106,11 @@ View view_of(const Scene& scene, const SceneOptions& options) {
   const RenderRequest& request = scene.renders.front();
   return {scene.camera(options.camera.empty() ? request.camera : options.camera),
           size_of(options).value_or(references::Size{request.width, request.height})};
+}
+
+void flush_output() {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return;
+  throw std::runtime_error(std::string("standard output: cannot be written: ") + std::strerror(errno));
 }
 
 void warn(const std::string& line) { std::fprintf(stderr, "%s\n", line.c_str()); }

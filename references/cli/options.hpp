@@ -42,6 +42,9 @@ View view_of(const Scene& scene, const SceneOptions& options);
 /// --tolerance, finite and >= 0.
 void add_tolerance(CLI::App& app, double& tolerance);
 
+/// Writes out what was printed. Throws std::runtime_error when standard output is full or gone.
+void flush_output();
+
 /// Prints a line on standard error.
 void warn(const std::string& line);
 

@@ -4,6 +4,7 @@
 
 #include "exporters/povray.hpp"
 #include "references/cli/commands.hpp"
+#include "references/cli/options.hpp"
 #include "references/comparison.hpp"
 #include "references/digest.hpp"
 #include "references/povray.hpp"
@@ -65,7 +66,7 @@ int check() {
     const std::string by = entry.version == version ? "" : " (stored by POV-Ray " + entry.version + ")";
     std::printf("%-44s %s%s\n", entry.scene.c_str(), complaint.empty() ? "holds" : complaint.c_str(),
                 by.c_str());
-    std::fflush(stdout);
+    flush_output();
     failures += complaint.empty() ? 0 : 1;
   }
   std::printf("%zu stored reference images against POV-Ray %s: %zu hold, %zu do not\n", stored.all().size(),

@@ -6,6 +6,7 @@
 #include "references/cli/options.hpp"
 #include "references/cli/progress.hpp"
 #include "tracer/image/io.hpp"
+#include "tracer/scene/lexer.hpp"
 #include "tracer/scene/reader.hpp"
 #include "tracer/textbook/render.hpp"
 
@@ -26,18 +27,25 @@ Encoding encoding_of(const Options& options, const std::string& path) {
   return options.encode == "course" ? Encoding::course : Encoding::linear;
 }
 
+/// The file that the scene's render line names, in the current directory: a scene chooses no directory, and
+/// not standard output.
+std::string name_from(const Scene& scene) {
+  const std::string name = std::filesystem::path(scene.renders.front().file).filename().string();
+  const bool is_plain = in_quotes(name) == "'" + name + "'";  // short, and no control characters
+  if (const auto complaint = complaint_about(name == "-" || !is_plain ? "" : name, Encoding::linear)) {
+    throw std::invalid_argument("the scene's render line names " + in_quotes(name) + ", " + *complaint +
+                                "; or name the image with -o");
+  }
+  return name;
+}
+
 int render(const Options& options) {
   const Scene scene = load_scene(options.scene, dialect_of(options.common), warn);
   const View view = view_of(scene, options.common);
-  // A scene never chooses the directory it is written to.
-  const std::string path = options.image.empty()
-                               ? std::filesystem::path(scene.renders.front().file).filename().string()
-                               : options.image;
-  if (options.image.empty() && path == "-")
-    throw std::invalid_argument("the scene's render line names no file; name one with -o");
+  const std::string path = options.image.empty() ? name_from(scene) : options.image;
   const Encoding encoding = encoding_of(options, path);
   if (const auto complaint = complaint_about(path, encoding)) {
-    throw std::invalid_argument(*complaint + (options.image.empty() ? "; or name the image with -o" : ""));
+    throw std::invalid_argument(in_quotes(path) + ": " + *complaint);
   }
   textbook::RenderJob job;
   job.width = view.size.width;

@@ -42,7 +42,7 @@ int run_verify(const Options& options) {
     progress.clear();
     if (table) {
       std::printf("%s\n", table_row(result).c_str());
-      std::fflush(stdout);
+      flush_output();
     }
     progress.show(static_cast<double>(++done) / static_cast<double>(options.scenes.size()));
   });

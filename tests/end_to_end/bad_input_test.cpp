@@ -101,7 +101,7 @@ const std::vector<BadScene>& bad_scenes() {
          return text;
        },
        "307:24",
-       {"more than 1000000 spheres and boxes"}},
+       {"more than 1000000 spheres, boxes and composites"}},
       {"CompositeInItself",
        [] { return with("define shape composite a a\n"); },
        "8:24",
@@ -126,7 +126,11 @@ const std::vector<BadScene>& bad_scenes() {
        "8:28",
        {"'inf'", "not finite"}},
       {"TransformThatOverflows",
-       [] { return with("transform ball scale 1e300\ntransform ball scale 1e300\n"); },
+       [] {
+         return with(
+             "transform ball scale 1e99\ntransform ball scale 1e99\ntransform ball scale 1e99\ntransform "
+             "ball scale 1e99\n");
+       },
        "2:21",
        {"'ball'", "overflows"}},
       {"DecimalComma", [] { return with_radius("1,5"); }, "2:33", {"'1,5'", "decimal point"}},

@@ -26,8 +26,8 @@ TYPED_TEST(Camera, ThePrototypeGridGivesTheRaysOfA401PixelImage) {
       const auto model = formulas::camera_ray(on_plane, formulas::image_plane_distance(fov));
       const auto prototype = formulas::prototype_ray<Real>(x - 200, 200 - y, fov);
       for (int axis = 0; axis < 3; ++axis) {
-        EXPECT_NEAR(static_cast<double>(prototype.direction[axis]), static_cast<double>(side * model.direction[axis]),
-                    tests::ulps<Real>(4) * side);
+        EXPECT_NEAR(static_cast<double>(prototype.direction[axis]),
+                    static_cast<double>(side * model.direction[axis]), tests::ulps<Real>(4) * side);
       }
     }
   }

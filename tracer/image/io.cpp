@@ -74,17 +74,16 @@ Encoding default_encoding(const std::string& path) {
 std::optional<std::string> complaint_about(const std::string& path, Encoding encoding) {
   if (path == "-") return std::nullopt;
   const std::string extension = extension_of(path);
-  if (!is_written(extension)) {
-    return path + ": found extension '" + extension + "', expected .exr, .pfm, .png or .ppm";
-  }
+  if (!is_written(extension)) return "expected a name that ends in .exr, .pfm, .png or .ppm";
   if (is_float_format(extension) && encoding != Encoding::linear) {
-    return path + ": a float image holds linear colours, expected --encode linear (or .png, .ppm)";
+    return "a float image holds linear colours, expected --encode linear (or .png, .ppm)";
   }
   return std::nullopt;
 }
 
 void write_image(const std::string& path, const Image& image, Encoding encoding) {
-  if (const auto complaint = complaint_about(path, encoding)) throw std::runtime_error(*complaint);
+  if (const auto complaint = complaint_about(path, encoding))
+    throw std::runtime_error(path + ": " + *complaint);
   const std::string extension = extension_of(path);
   if (extension == ".pfm" || (path == "-" && encoding == Encoding::linear)) {
     write_file(path, to_pfm(image));

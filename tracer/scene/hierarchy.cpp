@@ -80,12 +80,12 @@ HierarchyError cycle_error(const Scene& scene, const std::vector<ShapeId>& order
     return *std::find_if(children.begin(), children.end(), [&](ShapeId child) { return !is_sorted[child]; });
   };
   for (; !is_seen[at]; at = next(at)) is_seen[at] = true;
-  std::string path = quoted(scene.shapes[at].name);
+  std::string path = in_quotes(scene.shapes[at].name);
   ShapeId step = next(at);
   for (std::size_t shown = 0; step != at && shown < 4; ++shown, step = next(step)) {
-    path += " > " + quoted(scene.shapes[step].name);
+    path += " > " + in_quotes(scene.shapes[step].name);
   }
-  path += step == at ? " > " + quoted(scene.shapes[at].name) : " > ...";
+  path += step == at ? " > " + in_quotes(scene.shapes[at].name) : " > ...";
   return {at, "found a composite that contains itself (" + path +
                   "), expected no cycle; remove one of these children"};
 }
@@ -124,7 +124,7 @@ std::vector<HierarchyError> check_hierarchy(const Scene& scene) {
     is_reported[instance.shape] = true;
     errors.push_back(
         {instance.shape,
-         "found a transform of " + quoted(scene.shapes[instance.shape].name) +
+         "found a transform of " + in_quotes(scene.shapes[instance.shape].name) +
              " that overflows, expected a matrix and an inverse of finite numbers; use smaller factors"});
   });
   return errors;

@@ -79,7 +79,7 @@ Number parse_number(std::string_view text) {
   return {value, {}};
 }
 
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
   constexpr std::size_t longest = 40;
   constexpr const char* hex = "0123456789abcdef";
   std::string shown = "'";

@@ -25,7 +25,7 @@ struct Number {
 Number parse_number(std::string_view text);
 
 /// The text for a message: quoted, at most 40 bytes, unprintable bytes as \xNN.
-std::string quoted(std::string_view text);
+std::string in_quotes(std::string_view text);
 
 /// The candidate nearest to `name` by edit distance, if one is near enough to be a slip.
 std::optional<std::string> nearest_name(std::string_view name,

@@ -17,7 +17,7 @@ Finding& Line::say(Severity severity, Place place, std::string message, std::str
 }
 
 void Line::error(const Token& token, const std::string& message, std::string remedy) {
-  say(Severity::error, place_of(token), "found " + quoted(token.text) + ", " + message, std::move(remedy));
+  say(Severity::error, place_of(token), "found " + in_quotes(token.text) + ", " + message, std::move(remedy));
 }
 
 void Line::warning(const Token& token, std::string message) {
@@ -42,13 +42,13 @@ void Line::unknown_word(const Token& token, const std::string& expected,
     list += word;
   }
   const auto nearest = nearest_name(token.text, known);
-  error(token,
-        "expected " + expected + ": " + list + (nearest ? "; did you mean " + quoted(*nearest) + "?" : ""));
+  error(token, "expected " + expected + ": " + list +
+                   (nearest ? "; did you mean " + in_quotes(*nearest) + "?" : ""));
 }
 
 void Line::not_negative(const Token& name, const Rgbd& colour, const char* what) {
   if (colour.x < 0 || colour.y < 0 || colour.z < 0) {
-    warning(name, std::string(what) + " of " + quoted(name.text) + " is negative: it takes light away");
+    warning(name, std::string(what) + " of " + in_quotes(name.text) + " is negative: it takes light away");
   }
 }
 

@@ -48,7 +48,7 @@ void field(Line& line, const Token& name, MaterialField meaning, double x, Mater
       return;
     case MaterialField::opacity:
     case MaterialField::transparency:
-      if (weight != x) line.warning(name, "opacity of " + quoted(name.text) + " is outside 0..1: clamped");
+      if (weight != x) line.warning(name, "opacity of " + in_quotes(name.text) + " is outside 0..1: clamped");
       made.transmit = Rgbd(meaning == MaterialField::opacity ? 1 - weight : weight);
       return;
     case MaterialField::ior:

@@ -38,12 +38,12 @@ void sphere(Line& line, const Token& name, const Token& material, const std::vec
   if (v.size() != 4) return shape_count(line, name, material, v.size(), 4, "4: center x y z and radius");
   double radius = v[3];
   if (radius < 0 && line.dialect().loose) {
-    line.warning(name, "radius of " + quoted(name.text) + " is negative: its absolute value is used");
+    line.warning(name, "radius of " + in_quotes(name.text) + " is negative: its absolute value is used");
     radius = -radius;
   }
   if (!(radius >= smallest_length)) {
     line.say(Severity::error, line.place_of(name),
-             "found radius " + std::to_string(radius) + " of " + quoted(name.text) +
+             "found radius " + std::to_string(radius) + " of " + in_quotes(name.text) +
                  ", expected a radius > 0" +
                  (radius < 0 ? "; remove the minus sign (or --dialect loose)"
                              : "; remove the sphere or enlarge it"),

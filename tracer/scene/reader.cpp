@@ -97,7 +97,7 @@ class Reader {
     }
     if (kind->text == "ambient" || kind->text == "background" || kind->text == "transform" ||
         kind->text == "render") {
-      line.loose(keyword, quoted(kind->text) + " without 'define'");
+      line.loose(keyword, in_quotes(kind->text) + " without 'define'");
       return statement(line, *kind, tokens);
     }
     line.unknown_word(*kind, "what to define", {"material", "shape", "light", "camera"});

@@ -18,8 +18,8 @@ void look_up(Draft& draft, const Names& names, const Reference& reference, const
   const auto nearest =
       ++draft.unknown_names > most_suggestions ? std::nullopt : nearest_name(reference.name, names.all());
   draft.say(Severity::error, reference.place,
-            "found " + quoted(reference.name) + ", expected the name of a " + what + " that is defined; " +
-                (nearest ? "did you mean " + quoted(*nearest) + "?" : "define it"));
+            "found " + in_quotes(reference.name) + ", expected the name of a " + what + " that is defined; " +
+                (nearest ? "did you mean " + in_quotes(*nearest) + "?" : "define it"));
 }
 
 bool is_broken(const Draft& draft, std::string_view name) {
@@ -70,7 +70,7 @@ void resolve_transforms(Draft& draft, TransformOrder order) {
     const auto shape = draft.shape_names.find(line.target.name);
     if (camera && shape) {
       draft.say(Severity::error, line.target.place,
-                "found " + quoted(line.target.name) +
+                "found " + in_quotes(line.target.name) +
                     ", expected a name that is not both a camera and a shape; rename one");
     } else if (camera) {
       draft.cameras[*camera].transform_lines.push_back(line.step);
@@ -101,7 +101,7 @@ void check_pose(Draft& draft, const Camera& camera, Place place) {
   if (camera.up == Vec3d(0)) what = "an up vector of 0 0 0, expected a direction; 0 1 0 is upwards";
   if (camera.direction == Vec3d(0))
     what = "a direction of 0 0 0, expected a direction; 0 0 -1 looks along -z";
-  draft.say(Severity::error, place, "found camera " + quoted(camera.name) + " with " + what);
+  draft.say(Severity::error, place, "found camera " + in_quotes(camera.name) + " with " + what);
 }
 
 void resolve_cameras(Draft& draft) {
@@ -169,7 +169,8 @@ void resolve_refraction(Draft& draft) {
     const bool is_index = eta > 0 && std::isfinite(eta);
     if (material.transmits() && !is_index) {
       draft.say(Severity::error, draft.materials[id],
-                "found " + quoted(material.name) + " with refractive index " + std::to_string(material.eta) +
+                "found " + in_quotes(material.name) + " with refractive index " +
+                    std::to_string(material.eta) +
                     ", expected one > 0 for a material that transmits; glass has 1.5");
     }
     material.eta = is_index ? eta : 1;

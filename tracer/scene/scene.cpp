@@ -24,9 +24,9 @@ const Camera& Scene::camera(const std::string& name) const {
   std::string known;
   for (const Camera& candidate : cameras) {
     if (candidate.name == name) return candidate;
-    known += (known.empty() ? "" : ", ") + quoted(candidate.name);
+    known += (known.empty() ? "" : ", ") + in_quotes(candidate.name);
   }
-  throw std::invalid_argument("no camera " + quoted(name) + " in the scene; it has " + known);
+  throw std::invalid_argument("no camera " + in_quotes(name) + " in the scene; it has " + known);
 }
 
 const MaterialId* material_of(const Shape& shape) {
