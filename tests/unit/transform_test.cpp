@@ -243,15 +243,11 @@ TYPED_TEST(TransformFormula, TheInverseOfAScaleDivides) {
 TYPED_TEST(TransformFormula, TheInverseOfARotationTurnsBack) {
   using Real = TypeParam;
   const auto turn = formulas::rotate(Real(50), Vec3<Real>(1, 2, 3));
-  EXPECT_EQ(turn.inverse, glm::transpose(turn.matrix));
-  // Turning by the opposite angle is the same map.
-  const Mat4<Real> opposite = formulas::rotation_matrix(Real(-50), Vec3<Real>(1, 2, 3));
-  for (int column = 0; column < 4; ++column) {
-    for (int row = 0; row < 4; ++row) {
-      // because each element is at most 1 and rounded a few times, in another order of the same sum
-      EXPECT_NEAR(static_cast<double>(turn.inverse[column][row]), static_cast<double>(opposite[column][row]),
-                  tests::ulps<Real>(4));
-    }
+  const auto opposite = formulas::rotation_matrix(Real(-50), Vec3<Real>(1, 2, 3));
+  for (int column = 0; column < 3; ++column) {
+    // because a product of three factors and a sum round entries below 1, in another order.
+    expect_near(Vec3<Real>(turn.inverse[column]), Vec3<Exact>(Vec3<Real>(opposite[column])),
+                tests::ulps<Real>(2));
   }
 }
 

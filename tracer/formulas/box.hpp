@@ -51,10 +51,11 @@ std::optional<FaceHit<Real>> intersect_box(const Ray<Real>& ray, const Corners<R
     const Face near_face = 2 * axis + (ascending ? 0 : 1);
     const Face far_face = 2 * axis + (ascending ? 1 : 0);
     if (start_face == far_face) return std::nullopt;  // starts there and moves away
-    const Real to_min = (box.min[axis] - o) / d;
-    const Real to_max = (box.max[axis] - o) / d;
-    const Real t_near = start_face == near_face ? Real(0) : (ascending ? to_min : to_max);
-    const Real t_far = ascending ? to_max : to_min;
+    const Real per_d = 1 / d;
+    const Real near_plane = ascending ? box.min[axis] : box.max[axis];
+    const Real far_plane = ascending ? box.max[axis] : box.min[axis];
+    const Real t_near = start_face == near_face ? Real(0) : (near_plane - o) * per_d;
+    const Real t_far = (far_plane - o) * per_d;
     if (t_near > enter.t) enter = {t_near, near_face};
     if (t_far < leave.t) leave = {t_far, far_face};
   }

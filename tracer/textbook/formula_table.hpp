@@ -48,4 +48,20 @@ struct FormulaTable {
   decltype(&formulas::combined_colour<Real>) combined_colour = &formulas::combined_colour<Real>;
 };
 
+/// Where the tracer takes its formulas from: the lecture's, known to the compiler ...
+template <class Real>
+struct LectureFormulas {
+  const FormulaTable<Real>* operator->() const { return &table; }
+  static constexpr FormulaTable<Real> table{};
+};
+
+/// ... or any table, each call through a pointer.
+template <class Real>
+struct ReplaceableFormulas {
+  // Not explicit: a table is to be given wherever formulas are asked for.
+  ReplaceableFormulas(const FormulaTable<Real>& entries) : table(entries) {}
+  const FormulaTable<Real>* operator->() const { return &table; }
+  FormulaTable<Real> table;
+};
+
 }  // namespace plumb::textbook

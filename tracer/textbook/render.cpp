@@ -13,7 +13,10 @@ namespace plumb::textbook {
 namespace {
 
 template <class Real>
-void render_row(const Tracer<Real>& tracer, int y, Image& image) {
+using LectureTracer = Tracer<Real, LectureFormulas<Real>>;
+
+template <class Real>
+void render_row(const LectureTracer<Real>& tracer, int y, Image& image) {
   for (int x = 0; x < image.width; ++x) {
     const Rgb<Real> colour = tracer.raycast(x, y);
     for (int channel = 0; channel < 3; ++channel)
@@ -51,8 +54,8 @@ void for_each_row(int height, int threads, const std::function<void(double)>& pr
 
 template <class Real>
 Image render_in(const Scene& scene, const Camera& camera, const RenderJob& job) {
-  const World<Real> world(scene, FormulaTable<Real>{});
-  const Tracer<Real> tracer(world, camera, job.width, job.height, job.options);
+  const World<Real, LectureFormulas<Real>> world(scene, {});
+  const LectureTracer<Real> tracer(world, camera, job.width, job.height, job.options);
   Image image(job.width, job.height);
   const int available = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   const int threads = std::clamp(job.threads > 0 ? job.threads : available, 1, job.height);

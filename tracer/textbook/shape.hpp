@@ -50,9 +50,9 @@ struct Surface {
 };
 
 /// What a ray carries through the hierarchy besides itself.
-template <class Real>
+template <class Real, class Formulas>
 struct Query {
-  const FormulaTable<Real>& formulas;
+  const Formulas& formulas;
   SurfaceId start;             ///< where the ray starts: that surface is not met again at t = 0
   Real t_min;                  ///< hits up to here cannot be told from the start by rounding
   bool is_shadow_ray = false;  ///< any hit that blocks the light is enough, it need not be the nearest
@@ -62,7 +62,7 @@ struct Query {
   /// place, and the first in the order of the file is taken: so coincident surfaces are crossed once.
   bool is_nearer(Real t, Real nearest) const {
     return t > t_min && t < nearest - (t_min + rounding * t) &&
-           (!is_shadow_ray || formulas.blocks_light(t, light_distance));
+           (!is_shadow_ray || formulas->blocks_light(t, light_distance));
   }
 
   /// Roundings on the way from a ray to t, in units of the last place: matrices, two dot products, a root.
@@ -71,7 +71,7 @@ struct Query {
 
 /// A node of the hierarchy. It is placed in its parent's space by M and met in its own space, by the ray
 /// times M^-1; the direction is not normalised, so t is valid in both.
-template <class Real>
+template <class Real, class Formulas>
 class Shape {
  public:
   explicit Shape(const Transform<Real>& parent_from_object)
@@ -84,38 +84,39 @@ class Shape {
 
   /// Replaces `nearest` where a hit with 0 < t < nearest.t lies below this node. `ray` is in the parent's
   /// space; `first` is the number of the first instance below this node on the path taken.
-  void intersect(const Query<Real>& query, const Ray<Real>& ray, InstanceId first, Hit<Real>& nearest) const {
+  void intersect(const Query<Real, Formulas>& query, const Ray<Real>& ray, InstanceId first,
+                 Hit<Real>& nearest) const {
     if (is_identity_) return intersect_here(query, ray, first, nearest);
-    intersect_here(query, query.formulas.transform_ray(parent_from_object_.inverse, ray), first, nearest);
+    intersect_here(query, query.formulas->transform_ray(parent_from_object_.inverse, ray), first, nearest);
   }
 
   /// The surface of a hit below this node, its normal in the parent's space, by (M^-1)^T.
-  Surface<Real> surface(const Query<Real>& query, const Ray<Real>& ray, InstanceId first,
+  Surface<Real> surface(const Query<Real, Formulas>& query, const Ray<Real>& ray, InstanceId first,
                         const Hit<Real>& hit) const {
     if (is_identity_) return surface_here(query, ray, first, hit);
     Surface<Real> found =
-        surface_here(query, query.formulas.transform_ray(parent_from_object_.inverse, ray), first, hit);
-    found.normal = query.formulas.transform_normal(parent_from_object_.inverse, found.normal);
+        surface_here(query, query.formulas->transform_ray(parent_from_object_.inverse, ray), first, hit);
+    found.normal = query.formulas->transform_normal(parent_from_object_.inverse, found.normal);
     return found;
   }
 
  protected:
-  virtual void intersect_here(const Query<Real>& query, const Ray<Real>& ray, InstanceId first,
+  virtual void intersect_here(const Query<Real, Formulas>& query, const Ray<Real>& ray, InstanceId first,
                               Hit<Real>& nearest) const = 0;
-  virtual Surface<Real> surface_here(const Query<Real>& query, const Ray<Real>& ray, InstanceId first,
-                                     const Hit<Real>& hit) const = 0;
+  virtual Surface<Real> surface_here(const Query<Real, Formulas>& query, const Ray<Real>& ray,
+                                     InstanceId first, const Hit<Real>& hit) const = 0;
 
  private:
   Transform<Real> parent_from_object_;
   bool is_identity_;
 };
 
-template <class Real>
-class Sphere final : public Shape<Real> {
+template <class Real, class Formulas>
+class Sphere final : public Shape<Real, Formulas> {
  public:
   Sphere(const Transform<Real>& parent_from_object, const plumb::Sphere& sphere,
          const Material<Real>& material, ShapeId shape)
-      : Shape<Real>(parent_from_object),
+      : Shape<Real, Formulas>(parent_from_object),
         center_(sphere.center),
         radius_(static_cast<Real>(sphere.radius)),
         material_(material),
@@ -124,15 +125,15 @@ class Sphere final : public Shape<Real> {
   InstanceId instances() const override { return 1; }
 
  private:
-  void intersect_here(const Query<Real>& query, const Ray<Real>& ray, InstanceId self,
+  void intersect_here(const Query<Real, Formulas>& query, const Ray<Real>& ray, InstanceId self,
                       Hit<Real>& nearest) const override {
-    const auto t = query.formulas.intersect_sphere(ray, center_, radius_, query.start.instance == self);
+    const auto t = query.formulas->intersect_sphere(ray, center_, radius_, query.start.instance == self);
     if (t && query.is_nearer(*t, nearest.t)) nearest = {*t, {self, no_face}};
   }
-  Surface<Real> surface_here(const Query<Real>& query, const Ray<Real>& ray, InstanceId,
+  Surface<Real> surface_here(const Query<Real, Formulas>& query, const Ray<Real>& ray, InstanceId,
                              const Hit<Real>& hit) const override {
-    const Vec3<Real> point = query.formulas.point_at(ray, hit.t);
-    return {query.formulas.sphere_normal(point, center_), &material_, shape_};
+    const Vec3<Real> point = query.formulas->point_at(ray, hit.t);
+    return {query.formulas->sphere_normal(point, center_), &material_, shape_};
   }
 
   Vec3<Real> center_;
@@ -141,12 +142,12 @@ class Sphere final : public Shape<Real> {
   ShapeId shape_;
 };
 
-template <class Real>
-class Box final : public Shape<Real> {
+template <class Real, class Formulas>
+class Box final : public Shape<Real, Formulas> {
  public:
   Box(const Transform<Real>& parent_from_object, const plumb::Box& box, const Material<Real>& material,
       ShapeId shape)
-      : Shape<Real>(parent_from_object),
+      : Shape<Real, Formulas>(parent_from_object),
         corners_{Vec3<Real>(box.min), Vec3<Real>(box.max)},
         material_(material),
         shape_(shape) {}
@@ -154,15 +155,15 @@ class Box final : public Shape<Real> {
   InstanceId instances() const override { return 1; }
 
  private:
-  void intersect_here(const Query<Real>& query, const Ray<Real>& ray, InstanceId self,
+  void intersect_here(const Query<Real, Formulas>& query, const Ray<Real>& ray, InstanceId self,
                       Hit<Real>& nearest) const override {
     const Face start = query.start.instance == self ? query.start.face : no_face;
-    const auto hit = query.formulas.intersect_box(ray, corners_, start);
+    const auto hit = query.formulas->intersect_box(ray, corners_, start);
     if (hit && query.is_nearer(hit->t, nearest.t)) nearest = {hit->t, {self, hit->face}};
   }
-  Surface<Real> surface_here(const Query<Real>& query, const Ray<Real>&, InstanceId,
+  Surface<Real> surface_here(const Query<Real, Formulas>& query, const Ray<Real>&, InstanceId,
                              const Hit<Real>& hit) const override {
-    return {query.formulas.box_normal(hit.surface.face), &material_, shape_};
+    return {query.formulas->box_normal(hit.surface.face), &material_, shape_};
   }
 
   Corners<Real> corners_;
@@ -171,12 +172,12 @@ class Box final : public Shape<Real> {
 };
 
 /// An inner node: a matrix and children. A child may have several parents.
-template <class Real>
-class Composite final : public Shape<Real> {
+template <class Real, class Formulas>
+class Composite final : public Shape<Real, Formulas> {
  public:
   Composite(const Transform<Real>& parent_from_object,
-            std::vector<std::shared_ptr<const Shape<Real>>> children)
-      : Shape<Real>(parent_from_object), children_(std::move(children)) {
+            std::vector<std::shared_ptr<const Shape<Real, Formulas>>> children)
+      : Shape<Real, Formulas>(parent_from_object), children_(std::move(children)) {
     for (const auto& child : children_) {
       offsets_.push_back(instances_);
       instances_ += child->instances();
@@ -186,14 +187,14 @@ class Composite final : public Shape<Real> {
   InstanceId instances() const override { return instances_; }
 
  private:
-  void intersect_here(const Query<Real>& query, const Ray<Real>& ray, InstanceId first,
+  void intersect_here(const Query<Real, Formulas>& query, const Ray<Real>& ray, InstanceId first,
                       Hit<Real>& nearest) const override {
     for (std::size_t i = 0; i < children_.size(); ++i) {
       children_[i]->intersect(query, ray, first + offsets_[i], nearest);
       if (query.is_shadow_ray && nearest.surface.instance != no_instance) return;
     }
   }
-  Surface<Real> surface_here(const Query<Real>& query, const Ray<Real>& ray, InstanceId first,
+  Surface<Real> surface_here(const Query<Real, Formulas>& query, const Ray<Real>& ray, InstanceId first,
                              const Hit<Real>& hit) const override {
     const InstanceId offset = hit.surface.instance - first;
     const auto after = std::upper_bound(offsets_.begin(), offsets_.end(), offset);
@@ -201,7 +202,7 @@ class Composite final : public Shape<Real> {
     return children_[child]->surface(query, ray, first + offsets_[child], hit);
   }
 
-  std::vector<std::shared_ptr<const Shape<Real>>> children_;
+  std::vector<std::shared_ptr<const Shape<Real, Formulas>>> children_;
   std::vector<InstanceId> offsets_;  // of a child's first instance from the composite's own
   InstanceId instances_ = 0;
 };

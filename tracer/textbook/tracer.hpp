@@ -10,14 +10,15 @@
 
 namespace plumb::textbook {
 
-template <class Real>
+template <class Real, class Formulas = ReplaceableFormulas<Real>>
 class Tracer {
  public:
-  Tracer(const World<Real>& world, const Camera& camera, int width, int height, const RenderOptions& options)
+  Tracer(const World<Real, Formulas>& world, const Camera& camera, int width, int height,
+         const RenderOptions& options)
       : world_(world), f_(world.formulas()), width_(width), height_(height), options_(options) {
-    const CameraPose<Real> pose = f_.camera_pose(camera);
-    world_from_camera_ = f_.camera_matrix(pose.eye, pose.direction, pose.up);
-    distance_ = f_.image_plane_distance(static_cast<Real>(camera.fov_x_degrees));
+    const CameraPose<Real> pose = f_->camera_pose(camera);
+    world_from_camera_ = f_->camera_matrix(pose.eye, pose.direction, pose.up);
+    distance_ = f_->image_plane_distance(static_cast<Real>(camera.fov_x_degrees));
     for (const EnclosingDielectric& around : world.dielectrics_around(camera)) {
       around_the_eye_.cross(around.instance, static_cast<Real>(around.eta));
     }
@@ -25,8 +26,8 @@ class Tracer {
 
   /// Linear colour of the pixel centre; row 0 is the top row.
   Rgb<Real> raycast(int x, int y) const {
-    const Vec2<Real> on_plane = f_.image_plane_point(x, y, width_, height_);
-    Ray<Real> ray = f_.transform_ray(world_from_camera_, f_.camera_ray(on_plane, distance_));
+    const Vec2<Real> on_plane = f_->image_plane_point(x, y, width_, height_);
+    Ray<Real> ray = f_->transform_ray(world_from_camera_, f_->camera_ray(on_plane, distance_));
     ray.direction = glm::normalize(ray.direction);
     return trace(ray, {}, around_the_eye_, 0, 0);
   }
@@ -45,39 +46,39 @@ class Tracer {
                   int unbent) const {
     const Surface<Real> surface = world_.surface(ray, hit);
     const Material<Real>& material = *surface.material;
-    const Vec3<Real> point = f_.point_at(ray, hit.t);
-    const Vec3<Real> n = f_.facing_normal(glm::normalize(surface.normal), ray.direction);
+    const Vec3<Real> point = f_->point_at(ray, hit.t);
+    const Vec3<Real> n = f_->facing_normal(glm::normalize(surface.normal), ray.direction);
 
-    Rgb<Real> colour = f_.ambient_light(world_.ambient(), material.ka);
+    Rgb<Real> colour = f_->ambient_light(world_.ambient(), material.ka);
     for (const Light<Real>& light : world_.lights())
       colour += lit_by(light, point, n, -ray.direction, hit, material);
     if (!material.transmits && !material.mirrors) return colour;
 
-    const Ray<Real> mirrored{point, f_.mirror_direction(ray.direction, n)};
+    const Ray<Real> mirrored{point, f_->mirror_direction(ray.direction, n)};
     Rgb<Real> refracted(0);
     if (material.transmits) {
       Interiors<Real> beyond = interiors;
       const Real ratio = beyond.cross(hit.surface.instance, material.eta);
-      const auto bent = ratio == 1 ? ray.direction : f_.refracted_direction(ray.direction, n, ratio);
+      const auto bent = ratio == 1 ? ray.direction : f_->refracted_direction(ray.direction, n, ratio);
       if (!bent) return colour + trace(mirrored, hit.surface, interiors, depth + 1, 0);  // total reflection
       refracted = ratio == 1 ? go_on_unbent({point, *bent}, hit.surface, beyond, depth, unbent)
                              : trace({point, *bent}, hit.surface, beyond, depth + 1, 0);
     }
     const Rgb<Real> reflected =
         material.mirrors ? trace(mirrored, hit.surface, interiors, depth + 1, 0) : Rgb<Real>(0);
-    return f_.combined_colour(colour, material.mirror, reflected, material.transmit, refracted);
+    return f_->combined_colour(colour, material.mirror, reflected, material.transmit, refracted);
   }
 
   /// Diffuse and specular light of one source; black when it is behind the surface or hidden.
   Rgb<Real> lit_by(const Light<Real>& light, const Vec3<Real>& point, const Vec3<Real>& n,
                    const Vec3<Real>& v, const Hit<Real>& hit, const Material<Real>& material) const {
-    const auto to_light = f_.toward_light(point, light.position);
-    const Real diffuse = f_.diffuse_factor(n, to_light.direction);
-    if (!f_.light_counts(diffuse)) return Rgb<Real>(0);
+    const auto to_light = f_->toward_light(point, light.position);
+    const Real diffuse = f_->diffuse_factor(n, to_light.direction);
+    if (!f_->light_counts(diffuse)) return Rgb<Real>(0);
     const Rgb<Real> delta = visibility({point, to_light.direction}, hit.surface, to_light.distance);
     if (delta == Rgb<Real>(0)) return delta;
-    const Real specular = f_.specular_factor(f_.reflected_light(n, to_light.direction), v, material.m);
-    return f_.reflected_intensity(light.intensity, delta, material.kd, diffuse, material.ks, specular);
+    const Real specular = f_->specular_factor(f_->reflected_light(n, to_light.direction), v, material.m);
+    return f_->reflected_intensity(light.intensity, delta, material.kd, diffuse, material.ks, specular);
   }
 
   /// Slide "Schatten": 0 where an object lies strictly between, else 1; glass as the options say.
@@ -92,11 +93,11 @@ class Tracer {
     // A straight line crosses a convex object at most twice, which bounds the loop.
     for (InstanceId crossings = 0; crossings <= 2 * world_.instances(); ++crossings) {
       const Hit<Real> hit = world_.nearest_hit(ray, start);
-      if (hit.surface.instance == no_instance || !f_.blocks_light(hit.t, distance)) return delta;
+      if (hit.surface.instance == no_instance || !f_->blocks_light(hit.t, distance)) return delta;
       const Material<Real>& material = *world_.surface(ray, hit).material;
       if (!material.transmits) return Rgb<Real>(0);
       if (options_.glass_shadow == GlassShadow::filtered) delta *= material.transmit;
-      ray.origin = f_.point_at(ray, hit.t);
+      ray.origin = f_->point_at(ray, hit.t);
       start = hit.surface;
       distance -= hit.t;
     }
@@ -116,8 +117,8 @@ class Tracer {
 
   static constexpr int most_unbent = 1000;
 
-  const World<Real>& world_;
-  const FormulaTable<Real>& f_;
+  const World<Real, Formulas>& world_;
+  const Formulas& f_;
   int width_;
   int height_;
   RenderOptions options_;

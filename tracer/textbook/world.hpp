@@ -18,11 +18,11 @@ struct Light {
 };
 
 /// Owns the hierarchy; every shape of the scene is built once, however many parents it has.
-template <class Real>
+template <class Real, class Formulas = ReplaceableFormulas<Real>>
 class World {
  public:
   /// Expects a scene as read_scene returns it without errors; it must outlive the world.
-  World(const Scene& scene, const FormulaTable<Real>& formulas) : scene_(scene), formulas_(formulas) {
+  World(const Scene& scene, const Formulas& formulas) : scene_(scene), formulas_(formulas) {
     ambient_ = Rgb<Real>(scene.ambient);
     background_ = Rgb<Real>(scene.background);
     for (const auto& m : scene.materials) {
@@ -31,13 +31,13 @@ class World {
                             m.transmits()});
     }
     for (const auto& l : scene.lights) lights_.push_back({Vec3<Real>(l.position), Rgb<Real>(l.intensity())});
-    std::vector<std::shared_ptr<const Shape<Real>>> built(scene.shapes.size());
-    std::vector<std::shared_ptr<const Shape<Real>>> roots;
+    std::vector<std::shared_ptr<const Shape<Real, Formulas>>> built(scene.shapes.size());
+    std::vector<std::shared_ptr<const Shape<Real, Formulas>>> roots;
     for (const ShapeId id : scene.roots()) roots.push_back(build(scene, id, built));
-    root_ = std::make_shared<Composite<Real>>(Transform<Real>{}, std::move(roots));
+    root_ = std::make_shared<Composite<Real, Formulas>>(Transform<Real>{}, std::move(roots));
   }
 
-  const FormulaTable<Real>& formulas() const { return formulas_; }
+  const Formulas& formulas() const { return formulas_; }
   const std::vector<Light<Real>>& lights() const { return lights_; }
   const Rgb<Real>& ambient() const { return ambient_; }
   const Rgb<Real>& background() const { return background_; }
@@ -71,36 +71,36 @@ class World {
   /// The rounding error of a hit at the origin of the ray.
   static Real smallest_t(const Ray<Real>& ray) {
     const Vec3<Real> size = glm::abs(ray.origin);
-    return Query<Real>::rounding * std::max({size.x, size.y, size.z});
+    return Query<Real, Formulas>::rounding * std::max({size.x, size.y, size.z});
   }
 
-  using Built = std::vector<std::shared_ptr<const Shape<Real>>>;
+  using Built = std::vector<std::shared_ptr<const Shape<Real, Formulas>>>;
 
-  std::shared_ptr<const Shape<Real>> build(const Scene& scene, ShapeId id, Built& built) const {
+  std::shared_ptr<const Shape<Real, Formulas>> build(const Scene& scene, ShapeId id, Built& built) const {
     if (built[id]) return built[id];
     const plumb::Shape& shape = scene.shapes[id];
-    const Transform<Real> placed = formulas_.transform_of(shape.transform);
+    const Transform<Real> placed = formulas_->transform_of(shape.transform);
     if (const auto* sphere = std::get_if<plumb::Sphere>(&shape.geometry)) {
-      built[id] = std::make_shared<Sphere<Real>>(placed, *sphere, materials_[sphere->material], id);
+      built[id] = std::make_shared<Sphere<Real, Formulas>>(placed, *sphere, materials_[sphere->material], id);
     } else if (const auto* box = std::get_if<plumb::Box>(&shape.geometry)) {
-      built[id] = std::make_shared<Box<Real>>(placed, *box, materials_[box->material], id);
+      built[id] = std::make_shared<Box<Real, Formulas>>(placed, *box, materials_[box->material], id);
     } else {
       Built children;
       for (const ShapeId child : std::get<plumb::Composite>(shape.geometry).children) {
         children.push_back(build(scene, child, built));
       }
-      built[id] = std::make_shared<Composite<Real>>(placed, std::move(children));
+      built[id] = std::make_shared<Composite<Real, Formulas>>(placed, std::move(children));
     }
     return built[id];
   }
 
   const Scene& scene_;
-  FormulaTable<Real> formulas_;
+  Formulas formulas_;
   std::deque<Material<Real>> materials_;  // a deque: shapes refer to its elements
   std::vector<Light<Real>> lights_;
   Rgb<Real> ambient_;
   Rgb<Real> background_;
-  std::shared_ptr<const Composite<Real>> root_;
+  std::shared_ptr<const Composite<Real, Formulas>> root_;
 };
 
 }  // namespace plumb::textbook
