@@ -91,7 +91,7 @@ template <class Real>
 void expect_like_brute_force(const std::optional<FaceHit<Real>>& hit, const BruteHit& brute) {
   ASSERT_EQ(hit ? hit->face : no_face, brute.face);
   if (!hit) return;
-  // because a subtraction and a division round by half an epsilon each, here and in the check.
+  // because a difference, a reciprocal and a product round by half an epsilon each; the check adds less.
   EXPECT_LE(std::abs(static_cast<Exact>(hit->t) - brute.t),
             static_cast<Exact>(tests::ulps<Real>(2)) * brute.t);
 }

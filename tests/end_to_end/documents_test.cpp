@@ -1,0 +1,57 @@
+// Every command that the README shows is run as it stands there.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <sstream>
+
+#include "tests/support/run.hpp"
+
+namespace plumb::tests {
+namespace {
+
+/// Lines of the ```sh blocks, without their comments.
+std::vector<std::string> shown_commands() {
+  std::vector<std::string> commands;
+  std::istringstream lines(read_file(source_path("README.md")));
+  bool is_shell = false;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("```")) {
+      is_shell = line == "```sh";
+    } else if (is_shell) {
+      commands.push_back(line.substr(0, line.find("  #")));
+    }
+  }
+  return commands;
+}
+
+TEST(Readme, EveryCommandRuns) {
+  const auto commands = shown_commands();
+  ASSERT_GE(commands.size(), 8U);
+  const Workplace workplace;
+  for (const char* folder : {"tests", "references", "scripts"}) {
+    std::filesystem::create_directory_symlink(source_path(folder), workplace.path(folder));
+  }
+  std::filesystem::create_directory(workplace.path("build"));
+  std::filesystem::create_symlink(PLUMB_BINARY, workplace.path("build/plumb"));
+  for (const std::string& command : commands) {
+    ASSERT_TRUE(command.starts_with("build/plumb ")) << command;
+    references::ProcessLimits no_memory_limit;  // AddressSanitizer reserves terabytes of address space
+    no_memory_limit.memory_bytes = ~std::size_t{0};
+    const auto result =
+        references::run_process({"/bin/sh", "-c", command}, workplace.directory(), no_memory_limit);
+    EXPECT_EQ(result.exit_code, 0) << command << "\n" << result.output;
+  }
+}
+
+TEST(Readme, NamesTheTwoCommandsAndTheyAreThere) {
+  const std::string readme = read_file(source_path("README.md"));
+  for (const char* script : {"scripts/verify", "scripts/test"}) {
+    EXPECT_NE(readme.find(script), std::string::npos);
+    const auto permissions = std::filesystem::status(source_path(script)).permissions();
+    EXPECT_NE(permissions & std::filesystem::perms::owner_exec, std::filesystem::perms::none) << script;
+  }
+  EXPECT_NE(read_file(source_path(".ci/run")).find("scripts/test"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace plumb::tests
