@@ -63,6 +63,7 @@ Comparison compare(int width, int height, int channels, const std::vector<float>
       ++result.non_finite;
       continue;
     }
+    result.judged_error = std::max(result.judged_error, error.worst);
     for (std::size_t c = 0; c < step; ++c) {
       const double difference = std::abs(static_cast<double>(t[c]) - static_cast<double>(r[c]));
       result.max_error = std::max(result.max_error, difference);

@@ -25,6 +25,8 @@ struct Comparison {
   std::size_t non_finite = 0;   ///< pixels
   std::size_t pixels_over = 0;  ///< non-finite ones included
   double max_error = 0;
+  double judged_error =
+      0;                  ///< largest difference over max(1, |reference|): what the tolerance is held against
   double mean_error = 0;  ///< over all finite components
   double rms_error = 0;
   PixelPair worst;  ///< farthest beyond its tolerance; the first non-finite one if there is any

@@ -97,14 +97,33 @@ void judge(const Scene& scene, const Camera& camera, const VerifyOptions& option
   if (c.non_finite > 0) verdict = std::to_string(c.non_finite) + " pixels are not finite";
   if (result.ties.proven > 0) {
     verdict = std::to_string(result.ties.proven) + " of " + std::to_string(c.pixels_over) +
-              " pixels over are proven ties: coincident";
+              " pixels over are proven ties, where surfaces or edges coincide:";
     for (const std::string& name : result.ties.shapes) verdict += " '" + name + "'";
   }
   if (!verdict.empty()) result.message = verdict + (result.message.empty() ? "" : "; " + result.message);
 }
 
+/// What agreement means little without: a picture of nothing, a file that was read with reservations.
+std::string reservations(const Image& ours, std::size_t warnings) {
+  std::string said;
+  const auto add = [&](const std::string& what) { said += (said.empty() ? "" : "; ") + what; };
+  if (is_of_one_colour(ours)) {
+    add("nothing is seen: every pixel has the same colour; is the camera turned away, or do the transforms "
+        "act in "
+        "another order (--dialect post or trs)?");
+  }
+  if (warnings > 0)
+    add(std::to_string(warnings) + (warnings == 1 ? " warning" : " warnings") + ", see plumb lint");
+  return said;
+}
+
+void add_message(SceneResult& result, const std::string& message) {
+  if (!message.empty()) result.message += (result.message.empty() ? "" : "; ") + message;
+}
+
 void verify_scene(const VerifyOptions& options, const Source& source, int threads, SceneResult& result) {
-  const Scene scene = load_scene(result.scene, options.dialect);
+  std::size_t warnings = 0;
+  const Scene scene = load_scene(result.scene, options.dialect, [&](const std::string&) { ++warnings; });
   const RenderRequest& request = scene.renders.front();
   result.width = options.size ? options.size->width : request.width;
   result.height = options.size ? options.size->height : request.height;
@@ -123,6 +142,7 @@ void verify_scene(const VerifyOptions& options, const Source& source, int thread
   const Image ours = textbook::render(scene, camera, job);
   result.seconds_ours = cpu_seconds_of_thread() - before;
   judge(scene, camera, options, ours, reference, result);
+  add_message(result, reservations(ours, warnings));
 }
 
 /// Reports results in order, whatever order they come in.

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <memory>
-#include <optional>
 
 #include "references/cli/commands.hpp"
 #include "references/cli/options.hpp"
@@ -21,9 +20,9 @@ struct Linted {
   std::string scene;
   std::string trouble;  ///< the file cannot be read at all
   std::vector<Finding> findings;
-  std::vector<std::string> dialects;   ///< that read it without an error
-  std::optional<std::string> nearest;  ///< where there is none: the dialect that leaves the fewest errors
-  std::vector<Finding> remaining;      ///< what it leaves
+  std::vector<std::string> dialects;  ///< that read it without an error
+  std::vector<std::string> nearest;   ///< where there is none: those that leave the fewest errors
+  std::vector<Finding> remaining;     ///< what the first of these leaves
 
   std::ptrdiff_t count(Severity severity) const {
     return std::count_if(findings.begin(), findings.end(),
@@ -39,8 +38,10 @@ Linted lint(const std::string& scene, const Dialect& dialect) {
     linted.findings = read_scene(text, dialect).findings;
     if (linted.is_readable()) return linted;
     linted.dialects = propose_dialects(text);
-    if (linted.dialects.empty()) linted.nearest = nearest_dialect(text);
-    if (linted.nearest) linted.remaining = read_scene(text, parse_dialect(*linted.nearest)).findings;
+    if (linted.dialects.empty()) linted.nearest = nearest_dialects(text);
+    if (!linted.nearest.empty()) {
+      linted.remaining = read_scene(text, parse_dialect(linted.nearest.front())).findings;
+    }
   } catch (const SceneError& error) {
     linted.trouble = error.what();
   }
@@ -49,6 +50,16 @@ Linted lint(const std::string& scene, const Dialect& dialect) {
 
 std::string plural(std::ptrdiff_t n, const char* what) {
   return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
+}
+
+/// "mend lines 3:7, 9:1 first, then "
+std::string places_of(const std::vector<Finding>& findings) {
+  std::string places;
+  for (const Finding& f : findings) {
+    if (f.severity != Severity::error) continue;
+    places += (places.empty() ? "" : ", ") + std::to_string(f.line) + ":" + std::to_string(f.column);
+  }
+  return "mend " + places + " first, then ";
 }
 
 void print(const Linted& linted) {
@@ -60,17 +71,14 @@ void print(const Linted& linted) {
     std::printf("%s\n", to_string(finding, linted.scene).c_str());
   std::printf("%s: %s, %s\n", linted.scene.c_str(), plural(linted.count(Severity::error), "error").c_str(),
               plural(linted.count(Severity::warning), "warning").c_str());
-  if (linted.nearest) {
-    std::printf("%s: mend these, then --dialect %s can read it:\n", linted.scene.c_str(),
-                linted.nearest->c_str());
-    for (const Finding& f : linted.remaining) {
-      if (f.severity == Severity::error) std::printf("    %s\n", to_string(f, linted.scene).c_str());
-    }
-  }
-  if (linted.dialects.empty()) return;
-  const char* const several = "it can be read in several ways; only its author knows which is meant:";
-  std::printf("%s: %s\n", linted.scene.c_str(), linted.dialects.size() > 1 ? several : "it can be read with");
-  for (const std::string& dialect : linted.dialects) std::printf("    --dialect %s\n", dialect.c_str());
+  const bool mends_needed = linted.dialects.empty();
+  const std::vector<std::string>& dialects = mends_needed ? linted.nearest : linted.dialects;
+  if (dialects.empty()) return;
+  const char* const several = " in several ways; only its author knows which is meant:";
+  std::printf("%s: %sit can be read%s\n", linted.scene.c_str(),
+              mends_needed ? places_of(linted.remaining).c_str() : "",
+              dialects.size() > 1 ? several : " with");
+  for (const std::string& dialect : dialects) std::printf("    --dialect %s\n", dialect.c_str());
 }
 
 Json to_json(const std::vector<Finding>& findings) {
@@ -90,7 +98,7 @@ Json to_json(const Linted& linted) {
           {"message", linted.trouble},
           {"findings", to_json(linted.findings)},
           {"dialects", linted.dialects},
-          {"nearest_dialect", linted.nearest.value_or("")},
+          {"nearest_dialects", linted.nearest},
           {"remaining", to_json(linted.remaining)}};
 }
 
@@ -119,7 +127,7 @@ Command add_lint(CLI::App& plumb) {
   app->add_option("SCENE", options->scenes, "scene files")->required()->expected(-1);
   app->add_option("--json", options->json, "write the findings as JSON; - is standard output")
       ->type_name("FILE");
-  add_dialect(*app, options->common);
+  add_dialect(*app, options->common, true);
   app->footer(
       "Example: plumb lint tests/scenes/*.sdf\nExit codes: 0 all can be read (warnings allowed), 2 some "
       "cannot.");

@@ -23,10 +23,10 @@ std::optional<int> whole_number(std::string_view text) {
 
 }  // namespace
 
-void add_dialect(CLI::App& app, SceneOptions& options) {
-  app.add_option(
-         "--dialect", options.dialect,
-         "how the file deviates from the course grammar; parts joined by commas:\n" + describe_dialects())
+void add_dialect(CLI::App& app, SceneOptions& options, bool describe) {
+  app.add_option("--dialect", options.dialect,
+                 "how the file deviates from the course grammar; parts joined by commas" +
+                     (describe ? ":\n" + describe_dialects() : ", see plumb lint --help"))
       ->type_name("NAME");
 }
 
@@ -43,7 +43,7 @@ void add_scene_options(CLI::App& app, SceneOptions& options) {
                  "a surface")
       ->check(CLI::IsMember({"full", "none", "filtered"}))
       ->capture_default_str();
-  add_dialect(app, options);
+  add_dialect(app, options, false);
 }
 
 void add_real(CLI::App& app, SceneOptions& options) {

@@ -22,7 +22,8 @@ struct SceneOptions {
   int depth = 8;
 };
 
-void add_dialect(CLI::App& app, SceneOptions& options);
+/// `describe` lists all dialects.
+void add_dialect(CLI::App& app, SceneOptions& options, bool describe);
 /// --size --camera --depth --dialect --glass-shadow
 void add_scene_options(CLI::App& app, SceneOptions& options);
 void add_real(CLI::App& app, SceneOptions& options);

@@ -88,6 +88,9 @@ int update(const std::vector<std::string>& scenes) {
     }
     refs::StoredReference entry;
     entry.scene = fs::relative(path, PLUMB_SOURCE_DIRECTORY).string();
+    if (entry.scene.starts_with("..")) {
+      throw std::invalid_argument(path + ": is not in the repository, expected a scene of tests/scenes");
+    }
     entry.image = fs::path(path).stem().string() + ".exr";
     entry.width = now.job.width;
     entry.height = now.job.height;

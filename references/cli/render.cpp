@@ -57,6 +57,8 @@ int render(const Options& options) {
   job.progress = [&](double fraction) { progress.show(fraction); };
   const Image image = textbook::render(scene, view.camera, job);
   progress.clear();
+  if (is_of_one_colour(image))
+    warn(options.scene + ": warning: nothing is seen: every pixel has the same colour");
   write_image(path, image, encoding);
   if (options.image.empty()) std::printf("%s\n", path.c_str());
   return exit_agrees;

@@ -45,6 +45,7 @@ Json scene_json(const SceneResult& r) {
 
 Json to_json(const references::Comparison& c) {
   return {{"max_error", c.max_error},
+          {"judged_error", c.judged_error},
           {"mean_error", c.mean_error},
           {"rms_error", c.rms_error},
           {"pixels_over", c.pixels_over},
@@ -67,20 +68,28 @@ void write_json(const std::string& path, const Json& json) {
   write_file(path, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
-std::string table_head() {
-  return formatted("%-34s %10s %10s %8s %6s  %s", "scene", "size", "max error", "over", "ties", "result");
+std::size_t name_width(const std::vector<std::string>& scenes) {
+  constexpr std::size_t least = 20;
+  constexpr std::size_t most = 60;
+  std::size_t width = least;
+  for (const std::string& scene : scenes) width = std::max(width, scene.size());
+  return std::min(width, most);
 }
 
-std::string table_row(const SceneResult& r) {
-  constexpr std::size_t width = 34;
+std::string table_head(std::size_t width) {
+  return formatted("%-*s %10s %10s %8s %6s  %s", static_cast<int>(width), "scene", "size", "error", "over",
+                   "ties", "result");
+}
+
+std::string table_row(const SceneResult& r, std::size_t width) {
   const std::string name =
       r.scene.size() <= width ? r.scene : std::filesystem::path(r.scene).filename().string();
-  std::string row = formatted("%-34s ", name.c_str());
+  std::string row = formatted("%-*s ", static_cast<int>(width), name.c_str());
   if (r.status == Status::error) {
     row += formatted("%10s %10s %8s %6s  ", "-", "-", "-", "-");
   } else {
     const std::string size = std::to_string(r.width) + "x" + std::to_string(r.height);
-    row += formatted("%10s %10.2g %8zu %6zu  ", size.c_str(), r.comparison.max_error,
+    row += formatted("%10s %10.2g %8zu %6zu  ", size.c_str(), r.comparison.judged_error,
                      r.comparison.pixels_over, r.ties.proven);
   }
   row += std::string(to_string(r.status)) + (r.cached ? " (cached)" : "");
@@ -94,9 +103,10 @@ std::string outcome(const references::VerifyReport& report) {
                          [&](const SceneResult& s) { return s.status == status; });
   };
   const auto total = report.scenes.size();
-  return formatted("%zu scene%s against POV-Ray %s: %td agree, %td differ, %td in trouble", total,
-                   total == 1 ? "" : "s", report.reference_version.c_str(), count(Status::agree),
-                   count(Status::differ), count(Status::error));
+  return formatted("%zu scene%s against %sPOV-Ray %s: %td agree, %td differ, %td in trouble", total,
+                   total == 1 ? "" : "s", report.notice.empty() ? "" : "stored images by ",
+                   report.reference_version.c_str(), count(Status::agree), count(Status::differ),
+                   count(Status::error));
 }
 
 }  // namespace plumb::cli

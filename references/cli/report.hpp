@@ -18,8 +18,11 @@ Json to_json(const references::VerifyReport& report);
 /// Pretty-printed, to a file or (`-`) to standard output.
 void write_json(const std::string& path, const Json& json);
 
-std::string table_head();
-std::string table_row(const references::SceneResult& result);
+/// Width of the first column that holds these names.
+std::size_t name_width(const std::vector<std::string>& scenes);
+/// The column "error" is what the tolerance is held against: relative above 1.
+std::string table_head(std::size_t name_width);
+std::string table_row(const references::SceneResult& result, std::size_t name_width);
 
 /// E.g. "20 scenes: 19 agree, 1 differs".
 std::string outcome(const references::VerifyReport& report);

@@ -35,13 +35,14 @@ references::VerifyOptions verify_options(const Options& options) {
 
 int run_verify(const Options& options) {
   const bool table = options.json != "-";
+  const std::size_t width = name_width(options.scenes);
   std::size_t done = 0;
   Progress progress("verifying");
-  if (table) std::printf("%s\n", table_head().c_str());
+  if (table) std::printf("%s\n", table_head(width).c_str());
   const auto report = references::verify(options.scenes, verify_options(options), [&](const auto& result) {
     progress.clear();
     if (table) {
-      std::printf("%s\n", table_row(result).c_str());
+      std::printf("%s\n", table_row(result, width).c_str());
       flush_output();
     }
     progress.show(static_cast<double>(++done) / static_cast<double>(options.scenes.size()));

@@ -118,7 +118,7 @@ std::vector<std::string> known_material_layouts(std::size_t numbers_after_m) {
     case 1:
       return {"refl", "opacity", "transparency", "gloss"};
     case 2:
-      return {"refl-opacity", "refl-transparency", "ior-opacity", "ior-transparency"};
+      return {"refl-opacity", "refl-transparency", "ior-opacity", "ior-transparency", "transparency-ior-m"};
     case 3:
       return {"refl-opacity-ior",  "refl-transparency-ior",  "refl-ior-opacity",  "refl-ior-transparency",
               "gloss-opacity-ior", "gloss-transparency-ior", "ior-opacity-gloss", "ior-transparency-gloss"};

@@ -16,6 +16,7 @@ std::string explain_no_number(std::string_view text) {
   if (!std::all_of(text.begin(), text.end(), is_ascii)) {
     return "it has a character that is not ASCII (copied from a PDF?); type it again";
   }
+  if (text.front() == '[' || text.back() == ']') return "leave out the brackets";
   if (text.find(',') != std::string_view::npos) {
     return "numbers are separated by blanks and have a decimal point, no commas";
   }

@@ -94,13 +94,14 @@ std::string read_text_file(const std::string& path) {
   return text;
 }
 
-Scene load_scene(const std::string& path, const Dialect& dialect, void (*warn)(const std::string&)) {
+Scene load_scene(const std::string& path, const Dialect& dialect,
+                 const std::function<void(const std::string&)>& warn) {
   ReadResult result = read_scene(read_text_file(path), dialect);
   std::string errors;
   std::size_t count = 0;
   for (const Finding& finding : result.findings) {
     if (finding.severity == Severity::warning) {
-      if (warn != nullptr) warn(to_string(finding, path));
+      if (warn) warn(to_string(finding, path));
     } else if (++count <= most_lines_shown) {
       errors += (errors.empty() ? "" : "\n") + to_string(finding, path);
     }
@@ -120,11 +121,16 @@ std::vector<std::string> propose_dialects(std::string_view text) {
   return names;
 }
 
-std::optional<std::string> nearest_dialect(std::string_view text) {
+std::vector<std::string> nearest_dialects(std::string_view text) {
   const auto candidates = candidates_for(text);
-  if (candidates.empty() || candidates.front().errors == 0) return std::nullopt;
-  const bool helps = candidates.front().errors < count_errors(read_scene(text));
-  return helps ? std::optional(candidates.front().dialect) : std::nullopt;
+  std::vector<std::string> names;
+  if (candidates.empty() || candidates.front().errors == 0) return names;
+  const std::size_t fewest = candidates.front().errors;
+  if (fewest >= count_errors(read_scene(text))) return names;
+  for (const Candidate& candidate : candidates) {
+    if (candidate.errors == fewest) names.push_back(candidate.dialect);
+  }
+  return names;
 }
 
 }  // namespace plumb

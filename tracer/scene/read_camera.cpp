@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "tracer/scene/statements.hpp"
+#include "tracer/scene/writer.hpp"
 
 namespace plumb {
 namespace {
@@ -22,7 +23,7 @@ void camera_numbers(Line& line, const Token& name, const std::vector<double>& v,
   }
   made.fov_x_degrees = v[0];
   if (!(v[0] > 0 && v[0] < 180)) {
-    line.error(name, "expected a camera with 0 < fov-x < 180 degrees, not " + std::to_string(v[0]));
+    line.error(name, "expected a camera with 0 < fov-x < 180 degrees, not " + to_text(v[0]));
   }
   if (v.size() == 3) {
     line.draft().camera_resolution = {v[1], v[2], line.place_of(name)};

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "tracer/scene/statements.hpp"
+#include "tracer/scene/writer.hpp"
 
 namespace plumb {
 namespace {
@@ -43,8 +44,7 @@ void sphere(Line& line, const Token& name, const Token& material, const std::vec
   }
   if (!(radius >= smallest_length)) {
     line.say(Severity::error, line.place_of(name),
-             "found radius " + std::to_string(radius) + " of " + in_quotes(name.text) +
-                 ", expected a radius > 0" +
+             "found radius " + to_text(radius) + " of " + in_quotes(name.text) + ", expected a radius > 0" +
                  (radius < 0 ? "; remove the minus sign (or --dialect loose)"
                              : "; remove the sphere or enlarge it"),
              radius < 0 ? "loose" : "");
@@ -97,7 +97,13 @@ void read_shape(Line& line, const Token& keyword, Tokens& tokens) {
     line.draft().shapes.back().material = Reference{tokens.back().text, line.place_of(tokens.back())};
     const Token material = tokens.back();
     tokens.pop_back();
-    if (const auto values = line.numbers(tokens, 0)) {
+    const std::size_t with_material = kind.text == "sphere" ? 5 : 7;
+    const bool two_words = tokens.size() == with_material && !parse_number(tokens.back().text).complaint.empty();
+    if (two_words) {
+      line.draft().shapes.back().material.reset();
+      line.error(material,
+                 "expected the end of the line after the material " + in_quotes(tokens.back().text));
+    } else if (const auto values = line.numbers(tokens, 0)) {
       kind.text == "sphere" ? sphere(line, *name, material, *values, made)
                             : box(line, *name, material, *values, made);
     }

@@ -30,10 +30,10 @@ class Reader {
   ReadResult read(std::string_view text) {
     if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
     while (!text.empty() && !is_binary_) {
-      const std::size_t end = text.find('\n');
+      const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
       ++draft_.last_line;
       read_line(text.substr(0, end));
-      text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+      text.remove_prefix(std::min(end + (text.substr(end).starts_with("\r\n") ? 2 : 1), text.size()));
     }
     if (!is_binary_ && !has_statements_) {
       draft_.say(Severity::error, {1, 1}, "found no statement, expected a scene; the file is empty");
@@ -99,6 +99,10 @@ class Reader {
         kind->text == "render") {
       line.loose(keyword, in_quotes(kind->text) + " without 'define'");
       return statement(line, *kind, tokens);
+    }
+    if (kind->text == "sphere" || kind->text == "box" || kind->text == "composite") {
+      return line.error(*kind,
+                        "expected what to define; write 'define shape " + std::string(kind->text) + "'");
     }
     line.unknown_word(*kind, "what to define", {"material", "shape", "light", "camera"});
   }

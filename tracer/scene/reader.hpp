@@ -1,6 +1,7 @@
 // Reads scene text: the course grammar, strictly unless a dialect is named.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -48,14 +49,15 @@ class SceneError : public std::runtime_error {
 std::string read_text_file(const std::string& path);
 
 /// Reads a file; `warn` gets a line per warning. Throws SceneError with the first errors.
-Scene load_scene(const std::string& path, const Dialect& dialect, void (*warn)(const std::string&) = nullptr);
+Scene load_scene(const std::string& path, const Dialect& dialect,
+                 const std::function<void(const std::string&)>& warn = {});
 
 /// The dialects that read the text without an error, best first; empty when none is known to.
 std::vector<std::string> propose_dialects(std::string_view text);
 
-/// The dialect that leaves the fewest errors, when none reads the text without and one leaves fewer than the
+/// The dialects that leave the fewest errors, when none reads the text without and these leave fewer than the
 /// course grammar does.
-std::optional<std::string> nearest_dialect(std::string_view text);
+std::vector<std::string> nearest_dialects(std::string_view text);
 
 /// The limits beyond which a scene is refused.
 inline constexpr std::size_t max_nesting = 1000;         ///< composites within composites

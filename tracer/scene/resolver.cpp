@@ -4,6 +4,7 @@
 #include "tracer/scene/draft.hpp"
 #include "tracer/scene/hierarchy.hpp"
 #include "tracer/scene/lexer.hpp"
+#include "tracer/scene/writer.hpp"
 
 namespace plumb {
 namespace {
@@ -169,8 +170,7 @@ void resolve_refraction(Draft& draft) {
     const bool is_index = eta > 0 && std::isfinite(eta);
     if (material.transmits() && !is_index) {
       draft.say(Severity::error, draft.materials[id],
-                "found " + in_quotes(material.name) + " with refractive index " +
-                    std::to_string(material.eta) +
+                "found " + in_quotes(material.name) + " with refractive index " + to_text(material.eta) +
                     ", expected one > 0 for a material that transmits; glass has 1.5");
     }
     material.eta = is_index ? eta : 1;
@@ -192,7 +192,9 @@ void warn_of_emptiness(Draft& draft) {
   const bool any_scatters = std::any_of(draft.scene.materials.begin(), draft.scene.materials.end(),
                                         [](const Material& m) { return m.kd != Rgbd(0) || m.ks != Rgbd(0); });
   if (draft.scene.lights.empty() && !draft.scene.shapes.empty() && any_scatters) {
-    draft.say(Severity::warning, end, "no lights: only ambient light is seen");
+    draft.say(Severity::warning, end,
+              draft.scene.ambient == Rgbd(0) ? "no lights and no ambient light: all shapes are black"
+                                             : "no lights: only ambient light is seen");
   }
 }
 
