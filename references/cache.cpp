@@ -117,9 +117,12 @@ Cache::Cache() : directory_(default_directory()) {}
 std::string Cache::version_of(const Povray& povray) const {
   const std::string print = fingerprint(povray.program());
   const std::string path = directory_ + "/version-" + sha256(print);
-  if (const auto known = read_if_there(path); known && !known->empty()) return *known;
+  if (const auto known = read_if_there(path)) {
+    const std::string version = known->substr(0, known->find('\n'));
+    if (*known == version + "\n" + checksum(print + version)) return version;
+  }
   const std::string version = povray.version();
-  write_entry(path, version);
+  write_entry(path, version + "\n" + checksum(print + version));
   return version;
 }
 
@@ -153,10 +156,14 @@ void Cache::prune() const {
   std::vector<Entry> entries;
   std::uintmax_t total = 0;
   std::error_code error;
-  for (const auto& file : fs::directory_iterator(directory_, error)) {
-    if (file.path().extension() != ".picture") continue;
-    entries.push_back({file.path(), file.last_write_time(error), file.file_size(error)});
-    total += entries.back().size;
+  for (fs::directory_iterator file(directory_, error); !error && file != fs::directory_iterator();
+       file.increment(error)) {
+    if (file->path().extension() != ".picture") continue;
+    std::error_code gone;  // another process may prune, too
+    const Entry entry{file->path(), file->last_write_time(gone), file->file_size(gone)};
+    if (gone) continue;
+    entries.push_back(entry);
+    total += entry.size;
   }
   std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.used < b.used; });
   for (const Entry& entry : entries) {

@@ -64,6 +64,7 @@ ProcessResult wait_for(pid_t child, double limit_seconds) {
   ProcessResult result;
   // glibc 2.36 declares pidfd_open without C linkage.
   const int handle = static_cast<int>(syscall(SYS_pidfd_open, child, 0));
+  if (handle < 0) throw std::runtime_error("pidfd_open is not permitted here, so no time limit can be kept");
   pollfd waiting{handle, POLLIN, 0};
   using Clock = std::chrono::steady_clock;
   const auto end = Clock::now() + std::chrono::duration<double>(limit_seconds);

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "exporters/povray.hpp"
+#include "tracer/scene/hierarchy.hpp"
 #include "tracer/textbook/tracer.hpp"
 
 namespace plumb::references {
@@ -54,10 +55,11 @@ std::optional<FaceHit<double>> leaving_at_edges(const Ray<double>& ray, const Co
   return leaving && leaving->t <= 10 * relative_step * hit->t ? FaceHit<double>{hit->t, leaving->face} : *hit;
 }
 
-/// What is as near to the lit point as that is taken for the surface itself.
-bool blocks_from_afar(double t, double light_distance) {
-  return t > 10 * relative_step * light_distance && t < light_distance;
-}
+/// What is as near to the lit point as that is taken for the surface itself. An entry of the table has no
+/// state of its own, and each call of prove_ties runs in one thread.
+thread_local double nearest_blocker = 0;
+
+bool blocks_from_afar(double t, double light_distance) { return t > nearest_blocker && t < light_distance; }
 
 textbook::FormulaTable<double> formulas_for_pattern(int pattern) {
   textbook::FormulaTable<double> table;
@@ -83,21 +85,35 @@ double scene_extent(const Scene& scene, const Camera& camera) {
   return exported_extent / exporters::export_space(scene, camera).scale;
 }
 
-Scene moved_at_random(Scene scene, double step, std::mt19937& random) {
-  for (Shape& shape : scene.shapes) move_surface(shape, step, random);
+/// The world step in the space of each shape: divided by the most that any of its instances enlarges it.
+std::vector<double> steps_in_object_space(const Scene& scene, double world_step) {
+  std::vector<double> enlargement(scene.shapes.size(), 0);
+  for_each_instance(scene, [&](const Instance& instance) {
+    const Mat4<double>& m = instance.world_from_object.matrix;
+    for (int axis = 0; axis < 3; ++axis) {
+      enlargement[instance.shape] = std::max(enlargement[instance.shape], glm::length(Vec3d(m[axis])));
+    }
+  });
+  for (double& e : enlargement) e = e > 0 ? world_step / e : 0;
+  return enlargement;
+}
+
+Scene moved_at_random(Scene scene, const std::vector<double>& steps, double factor, std::mt19937& random) {
+  for (ShapeId id = 0; id < scene.shapes.size(); ++id)
+    move_surface(scene.shapes[id], factor * steps[id], random);
   return scene;
 }
 
 /// Adds the shapes whose move alone changes one of the pixels.
 void name_shapes(const Scene& scene, const Camera& camera, const RenderOptions& options, const Image& like,
-                 const std::vector<PixelPlace>& pixels, double step, double tolerance, std::mt19937& random,
-                 std::set<ShapeId>& found) {
+                 const std::vector<PixelPlace>& pixels, const std::vector<double>& steps, double tolerance,
+                 std::mt19937& random, std::set<ShapeId>& found) {
   const PixelTracer still(scene, camera, like, options);
   for (ShapeId id = 0; id < scene.shapes.size(); ++id) {
     if (material_of(scene.shapes[id]) == nullptr) continue;
     for (int i = 0; i < patterns_of_one && !found.contains(id); ++i) {
       Scene moved = scene;
-      move_surface(moved.shapes[id], step, random);
+      move_surface(moved.shapes[id], steps[id], random);
       const PixelTracer tracer(std::move(moved), camera, like, options);
       const bool changes = std::any_of(pixels.begin(), pixels.end(), [&](PixelPlace place) {
         return !is_within(still.at(place).data(), tracer.at(place).data(), tolerance);
@@ -130,6 +146,13 @@ void try_pattern(const PixelTracer& moved, const Image& reference, double tolera
   }
 }
 
+/// How many patterns are worth trying: a picture that differs as a whole is no matter of ties.
+int affordable_patterns(std::size_t suspects, const Scene& scene) {
+  constexpr double most_traces = 4e6;
+  const double each = static_cast<double>(suspects) + static_cast<double>(scene.shapes.size());
+  return static_cast<int>(std::min<double>(most_patterns, most_traces / each));
+}
+
 /// At most `count` of the pixels, spread evenly.
 std::vector<PixelPlace> sample_of(const std::vector<PixelPlace>& pixels, std::size_t count) {
   std::vector<PixelPlace> sample;
@@ -142,18 +165,21 @@ std::vector<PixelPlace> sample_of(const std::vector<PixelPlace>& pixels, std::si
 
 TieReport prove_ties(const Scene& scene, const Camera& camera, const RenderOptions& options,
                      const Image& reference, const std::vector<PixelPlace>& pixels, double tolerance) {
-  if (pixels.empty()) return {};
-  const double step = relative_step * scene_extent(scene, camera);
-  std::mt19937 random(1);  // any seed: the patterns are to be the same every time
-  const PixelTracer still(scene, camera, reference, options);
+  const int affordable = affordable_patterns(pixels.size(), scene);
+  if (pixels.empty() || affordable < patterns) return {};
+  const double world_step = relative_step * scene_extent(scene, camera);
+  const auto steps = steps_in_object_space(scene, world_step);
+  nearest_blocker = 10 * world_step;  // POV-Ray's shadow tolerance, 1e-3 of 1e4 units
+  std::mt19937 random(1);             // any seed: the patterns are to be the same every time
   std::vector<Suspect> suspects;
+  const PixelTracer still(scene, camera, reference, options);
   for (const PixelPlace place : pixels) suspects.push_back({place, still.at(place)});
-  for (int pattern = 0; pattern < most_patterns; ++pattern) {
+  for (int pattern = 0; pattern < affordable; ++pattern) {
     if (pattern == patterns) std::erase_if(suspects, [](const Suspect& s) { return !s.varies; });
     if (std::all_of(suspects.begin(), suspects.end(), [](const Suspect& s) { return s.is_tied(); })) break;
     // The smaller step is small against what leaving_at_edges takes for an edge.
-    const double move = pattern % 8 < 4 ? step : step / 1000;
-    const PixelTracer moved(moved_at_random(scene, move, random), camera, reference, options,
+    const double factor = pattern % 8 < 4 ? 1 : 1e-3;
+    const PixelTracer moved(moved_at_random(scene, steps, factor, random), camera, reference, options,
                             formulas_for_pattern(pattern));
     try_pattern(moved, reference, tolerance, suspects);
   }
@@ -161,11 +187,12 @@ TieReport prove_ties(const Scene& scene, const Camera& camera, const RenderOptio
   for (const Suspect& suspect : suspects) {
     if (suspect.is_tied()) tied.push_back(suspect.place);
   }
-  TieReport report{tied.size(), {}};
-  if (tied.empty()) return report;
+  if (tied.empty()) return {};
   std::set<ShapeId> found;
-  name_shapes(scene, camera, options, reference, sample_of(tied, pixels_named), step, tolerance, random,
+  name_shapes(scene, camera, options, reference, sample_of(tied, pixels_named), steps, tolerance, random,
               found);
+  if (found.empty()) return {};  // whatever it is, no surfaces that coincide
+  TieReport report{tied.size(), {}};
   for (const ShapeId id : found) report.shapes.push_back(scene.shapes[id].name);
   return report;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <exception>
 #include <memory>
 #include <mutex>
 #include <thread>
@@ -20,9 +21,10 @@ namespace {
 /// POV-Ray mostly waits (0.65 s a run), so more runs than cores at once.
 constexpr int runs_per_core = 4;
 
-double cpu_seconds_of_thread() {
+/// Of the calling thread, or of the process where one scene has all threads.
+double cpu_seconds(bool of_process) {
   timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  clock_gettime(of_process ? CLOCK_PROCESS_CPUTIME_ID : CLOCK_THREAD_CPUTIME_ID, &now);
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
@@ -36,10 +38,11 @@ class Source {
     }
     try {
       povray_ = std::make_unique<Povray>();
-      version_ = cache_.version_of(*povray_);
-    } catch (const PovrayError& error) {
-      use_stored(error.what());
+    } catch (const PovrayError& absent) {
+      use_stored(absent.what());
+      return;
     }
+    version_ = cache_.version_of(*povray_);
   }
 
   const std::string& version() const { return version_; }
@@ -52,7 +55,8 @@ class Source {
     result.cached = found.has_value();
     if (!found) {
       found = povray_->render(job);
-      cache_.store(job, version_, *found);
+      if (found->precision == "float32")
+        cache_.store(job, version_, *found);  // else it may go better next time
       result.seconds_reference = found->cpu_seconds;
     }
     if (!found->warnings.empty()) result.message = "POV-Ray warns: " + found->warnings;
@@ -72,8 +76,9 @@ class Source {
       throw PovrayError("no stored reference image for this export at " + std::to_string(job.width) + " x " +
                         std::to_string(job.height) + "; run with POV-Ray");
     }
+    Image image = stored_->load(*entry);
     result.cached = true;
-    return stored_->load(*entry);
+    return image;
   }
 
   const VerifyOptions& options_;
@@ -138,9 +143,9 @@ void verify_scene(const VerifyOptions& options, const Source& source, int thread
   job.options = options.render;
   job.real = options.real;
   job.threads = threads;
-  const double before = cpu_seconds_of_thread();
+  const double before = cpu_seconds(threads > 1);
   const Image ours = textbook::render(scene, camera, job);
-  result.seconds_ours = cpu_seconds_of_thread() - before;
+  result.seconds_ours = cpu_seconds(threads > 1) - before;
   judge(scene, camera, options, ours, reference, result);
   add_message(result, reservations(ours, warnings));
 }
@@ -196,6 +201,7 @@ VerifyReport verify(const std::vector<std::string>& scenes, const VerifyOptions&
   VerifyReport report;
   report.reference_version = source.version();
   report.notice = source.notice();
+  if (!report.notice.empty() && options.on_notice) options.on_notice(report.notice);
   for (const std::string& scene : scenes) report.scenes.emplace_back().scene = scene;
 
   const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
@@ -204,6 +210,17 @@ VerifyReport verify(const std::vector<std::string>& scenes, const VerifyOptions&
   const int threads = jobs >= cores ? 1 : cores;
   InOrder in_order(report.scenes, done);
   std::atomic<std::size_t> next{0};
+  std::mutex mutex;
+  std::exception_ptr failure;  // of the caller's `done`; the first one ends all
+  const auto report_ready = [&](std::size_t i) {
+    try {
+      in_order.ready(i);
+    } catch (...) {
+      next = report.scenes.size();
+      const std::lock_guard lock(mutex);
+      if (!failure) failure = std::current_exception();
+    }
+  };
   const auto work = [&] {
     for (std::size_t i = next++; i < report.scenes.size(); i = next++) {
       SceneResult& result = report.scenes[i];
@@ -213,13 +230,14 @@ VerifyReport verify(const std::vector<std::string>& scenes, const VerifyOptions&
         result.status = Status::error;
         result.message = error.what();
       }
-      in_order.ready(i);
+      report_ready(i);
     }
   };
   std::vector<std::jthread> helpers;
   for (int i = 1; i < jobs; ++i) helpers.emplace_back(work);
   work();
   helpers.clear();
+  if (failure) std::rethrow_exception(failure);
   return report;
 }
 

@@ -31,9 +31,10 @@ struct VerifyOptions {
   Dialect dialect;
   RenderOptions render;
   textbook::RealType real = textbook::RealType::float64;
-  bool stored = false;              ///< compare with stored images, start no POV-Ray
-  int jobs = 0;                     ///< scenes at once; 0: as many as keep the machine busy
-  double time_limit_seconds = 600;  ///< for one run of POV-Ray
+  bool stored = false;                                ///< compare with stored images, start no POV-Ray
+  int jobs = 0;                                       ///< scenes at once; 0: as many as keep the machine busy
+  double time_limit_seconds = 600;                    ///< for one run of POV-Ray
+  std::function<void(const std::string&)> on_notice;  ///< called first, when there is one; may be empty
 };
 
 struct SceneResult {

@@ -65,7 +65,6 @@ int run_compare(const Options& options) {
               {"height", test.height}};
     json.update(to_json(c));
     json["worst"]["test"] = c.worst.test;
-    json["worst"].erase("ours");
     write_json(options.json, json);
   }
   return c.agrees() ? exit_agrees : exit_differs;

@@ -30,6 +30,7 @@ references::VerifyOptions verify_options(const Options& options) {
   verify.real = real_of(options.common);
   verify.stored = options.stored;
   verify.jobs = options.jobs;
+  verify.on_notice = warn;
   return verify;
 }
 
@@ -48,7 +49,6 @@ int run_verify(const Options& options) {
     progress.show(static_cast<double>(++done) / static_cast<double>(options.scenes.size()));
   });
   progress.clear();
-  if (!report.notice.empty()) warn(report.notice);
   if (!options.json.empty()) write_json(options.json, to_json(report));
   if (table) std::printf("%s\n", outcome(report).c_str());
   return report.exit_code();

@@ -311,6 +311,26 @@ TYPED_TEST(BoxFormula, ARayThatStartsOnAFaceAndGoesOutNeverMeetsTheBoxAgain) {
   }
 }
 
+TYPED_TEST(BoxFormula, ARayThatStartsOnAFaceIsInsideThoughRoundingPutsItBesideAnEdge) {
+  using Real = TypeParam;
+  // On x = -1, and just outside y = -1, which it crosses at once: it leaves at y = 1, not where it enters y.
+  const Real outside = -1 - std::numeric_limits<Real>::epsilon();
+  const auto hit = this->hit({-1, outside, 0}, {Real(0.25), 1, 0}, 0);
+  ASSERT_TRUE(hit.has_value());
+  EXPECT_EQ(hit->face, 3);
+}
+
+TYPED_TEST(BoxFormula, ARayThatStartsOnAFaceAtAnEdgeLeavesThere) {
+  using Real = TypeParam;
+  // Just before x = -1, where it starts, and nearer to y = 1: the plane it starts on is behind it all the
+  // same.
+  const Real epsilon = std::numeric_limits<Real>::epsilon();
+  const auto hit = this->hit({-1 - epsilon, 1 - epsilon, 0}, {1, 8, 0}, 0);
+  ASSERT_TRUE(hit.has_value());
+  EXPECT_EQ(hit->face, 3);
+  EXPECT_EQ(hit->t, epsilon / 8);
+}
+
 TYPED_TEST(BoxFormula, EveryScaleGivesTheSameHit) {
   using Real = TypeParam;
   Random<Real> random(9);

@@ -287,6 +287,25 @@ TYPED_TEST(SphereFormula, ANearRootKeepsItsDigitsBesideAFarOne) {
               0.0625 * (tests::ulps<Real>(4) + static_cast<double>(float_error)));
 }
 
+TYPED_TEST(SphereFormula, ANearRootKeepsItsDigitsFromInside) {
+  using Real = TypeParam;
+  // 2^-10 inside a unit sphere and on the way out: (1 - 2^-10)^2 - 1 is exact in 21 bits.
+  const Ray<Real> ray{{0, 0, 1 - Real(0x1p-10)}, {Real(0.3), Real(0.4), Real(0.7)}};
+  const auto t = formulas::intersect_sphere(ray, Vec3<Real>(0), Real(1), false);
+  ASSERT_TRUE(t.has_value());
+  Exact low = 0;
+  Exact high = 0.5L;
+  for (int i = 0; i < 80; ++i) {  // bisection of the implicit equation, which rises from inside to outside
+    const Exact middle = (low + high) / 2;
+    (implicit_at(ray, Vec3<Real>(0), Real(1), middle).value < 0 ? low : high) = middle;
+  }
+  // because 8 half epsilons of t, and in the check an error of long double of 4 terms of about 1 over the
+  // slope 1.4.
+  const Exact tolerance =
+      static_cast<Exact>(tests::ulps<Real>(4)) * low + 3 * std::numeric_limits<Exact>::epsilon();
+  EXPECT_LE(std::abs(static_cast<Exact>(*t) - low), tolerance);
+}
+
 TYPED_TEST(SphereFormula, TheNormalPointsOutwardsAndIsAsLongAsTheRadius) {
   using Real = TypeParam;
   EXPECT_EQ(formulas::sphere_normal(Vec3<Real>(1, 2, 6), Vec3<Real>(1, 2, 3)), Vec3<Real>(0, 0, 3));

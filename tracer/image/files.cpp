@@ -4,10 +4,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <random>
 #include <stdexcept>
 
 namespace plumb {
@@ -55,10 +55,10 @@ void write_to(const std::string& target, int flags, std::string_view bytes, cons
 
 /// A short name in the same directory.
 std::string path_aside(const std::string& path) {
-  static std::atomic<unsigned> number{0};
+  std::random_device random;
   const std::size_t slash = path.find_last_of('/');
   const std::string directory = slash == std::string::npos ? "" : path.substr(0, slash + 1);
-  return directory + ".plumb-" + std::to_string(::getpid()) + "-" + std::to_string(number++);
+  return directory + ".plumb-" + std::to_string(random()) + std::to_string(random());
 }
 
 /// Renames the file written aside, after its data are on disk; removes it when that fails.

@@ -31,12 +31,17 @@ std::string module_path() {
   return (std::filesystem::read_symlink("/proc/self/exe").parent_path() / oiio::module_name).string();
 }
 
+void* loaded_module() {
+  static void* const module = dlopen(module_path().c_str(), RTLD_NOW | RTLD_LOCAL);
+  static const std::string complaint = module == nullptr ? dlerror() : "";
+  if (module == nullptr) throw std::runtime_error("the OpenImageIO module cannot be loaded: " + complaint);
+  return module;
+}
+
 template <class Function>
 Function symbol(const char* name) {
-  static void* const module = dlopen(module_path().c_str(), RTLD_NOW | RTLD_LOCAL);
-  void* const found = module == nullptr ? nullptr : dlsym(module, name);
-  if (found == nullptr)
-    throw std::runtime_error(std::string("the OpenImageIO module cannot be loaded: ") + dlerror());
+  void* const found = dlsym(loaded_module(), name);
+  if (found == nullptr) throw std::runtime_error(std::string("the OpenImageIO module has no ") + name);
   return reinterpret_cast<Function>(found);
 }
 

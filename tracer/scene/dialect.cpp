@@ -44,7 +44,8 @@ constexpr std::array<Part, 9> parts{{
     {"trs", "M = T R S whatever the order of the lines", [](Dialect& d) { d.order = TransformOrder::trs; }},
     {"la-ld", "a light of nine numbers is position, La, Ld; ambient = sum of La (sheet of 2015)",
      [](Dialect& d) { d.nine = NineNumbers::la_ld; }},
-    {"la-ld-brightness", "a light of ten numbers is position, La, Ld, brightness; ambient = sum of La",
+    {"la-ld-brightness",
+     "a light of ten numbers is position, La, Ld, brightness; ambient = sum of brightness La",
      [](Dialect& d) { d.la_ld_brightness = true; }},
     {"light-color", "a light of six numbers is position, colour; brightness 1",
      [](Dialect& d) { d.light_color = true; }},
@@ -116,9 +117,10 @@ std::string describe_dialects() {
 std::vector<std::string> known_material_layouts(std::size_t numbers_after_m) {
   switch (numbers_after_m) {
     case 1:
-      return {"refl", "opacity", "transparency", "gloss"};
+      return {"refl", "opacity", "transparency", "gloss", "ior"};
     case 2:
-      return {"refl-opacity", "refl-transparency", "ior-opacity", "ior-transparency", "transparency-ior-m"};
+      return {"refl-opacity", "refl-transparency", "ior-opacity",        "ior-transparency",
+              "opacity-ior",  "transparency-ior",  "transparency-ior-m", "opacity-ior-m"};
     case 3:
       return {"refl-opacity-ior",  "refl-transparency-ior",  "refl-ior-opacity",  "refl-ior-transparency",
               "gloss-opacity-ior", "gloss-transparency-ior", "ior-opacity-gloss", "ior-transparency-gloss"};

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "tracer/scene/reader.hpp"
@@ -72,7 +73,7 @@ struct Draft {
   Names shape_names;
   Names light_names;
   Names camera_names;
-  std::vector<std::string_view> broken_shapes;  ///< defined, but not as a shape that is known
+  std::unordered_set<std::string_view> broken_shapes;  ///< defined, but not as a shape that is known
 
   std::vector<Place> materials;  ///< parallel to scene.materials
   std::vector<Shape> shapes;     ///< parallel to scene.shapes

@@ -131,10 +131,12 @@ std::vector<HierarchyError> check_hierarchy(const Scene& scene) {
 }
 
 void for_each_instance(const Scene& scene, const std::function<void(const Instance&)>& use) {
+  std::vector<Transform<double>> parent_from_object;
+  for (const Shape& shape : scene.shapes) parent_from_object.push_back(transform_of<double>(shape.transform));
   const auto visit = [&](const auto& self, ShapeId id, const Transform<double>& parent) -> void {
     const Shape& shape = scene.shapes[id];
     const Transform<double> here =
-        shape.transform.empty() ? parent : formulas::compose(parent, transform_of<double>(shape.transform));
+        shape.transform.empty() ? parent : formulas::compose(parent, parent_from_object[id]);
     if (material_of(shape) != nullptr) return use({id, here});
     for (const ShapeId child : children_of(shape)) self(self, child, here);
   };

@@ -16,7 +16,8 @@ struct HierarchyError {
 };
 
 /// Cycles, nesting deeper than max_nesting, more than max_instances spheres and boxes, and
-/// transforms that are not finite or have no finite inverse. Takes time linear in the text.
+/// transforms that are not finite or have no finite inverse. Takes time linear in the text and in
+/// max_instances.
 std::vector<HierarchyError> check_hierarchy(const Scene& scene);
 
 /// Spheres and boxes below each shape, a shared child counted once per path (saturating).

@@ -60,9 +60,14 @@ std::vector<Candidate> candidates_for(std::string_view text) {
   }
   std::vector<std::string> layouts = known_material_layouts(wanted.extra_numbers);
   if (layouts.empty()) layouts.emplace_back();
+  std::vector<std::string> names;
+  for (const std::string& layout : layouts) names.push_back(join(wanted.parts, layout));
+  if (wanted.parts.erase("la-ld") > 0) {  // nine numbers of a light mean one or the other
+    wanted.parts.insert("brightness-rgb");
+    for (const std::string& layout : layouts) names.push_back(join(wanted.parts, layout));
+  }
   std::vector<Candidate> candidates;
-  for (const std::string& layout : layouts) {
-    const std::string name = join(wanted.parts, layout);
+  for (const std::string& name : names) {
     if (name.empty()) continue;
     const ReadResult result = read_scene(text, parse_dialect(name));
     const std::size_t errors = count_errors(result);

@@ -25,13 +25,14 @@ void camera_numbers(Line& line, const Token& name, const std::vector<double>& v,
   if (!(v[0] > 0 && v[0] < 180)) {
     line.error(name, "expected a camera with 0 < fov-x < 180 degrees, not " + to_text(v[0]));
   }
-  if (v.size() == 3) {
-    line.draft().camera_resolution = {v[1], v[2], line.place_of(name)};
-  } else if (v.size() >= 4) {
+  if (v.size() == 3 || v.size() == 12) {
+    line.draft().camera_resolution = {v[v.size() - 2], v[v.size() - 1], line.place_of(name)};
+  }
+  if (v.size() >= 4) {
     made.eye = vec3(v, 1);
   }
   if (v.size() == 4) line.warning(name, "four numbers of a camera are read as fov-x and eye");
-  if (v.size() > 10) line.warning(name, "what follows the camera's up vector is ignored");
+  if (v.size() > 10 && v.size() != 12) line.warning(name, "what follows the camera's up vector is ignored");
   if (v.size() < 10) return;
   made.direction = vec3(v, 4);
   made.up = vec3(v, 7);

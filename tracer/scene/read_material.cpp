@@ -84,6 +84,11 @@ void material_numbers(Line& line, const Token& name, const std::vector<double>& 
   if (v.size() == colours + 1 || m_at == 0) {
     made.m = v[colours];  // a material without extra fields has m alone, wherever m stands otherwise
   }
+  if (v.size() > colours + 1 && v.size() < expected) {
+    line.warning(name, "material " + in_quotes(name.text) + " gives only " +
+                           count_of(v.size() - colours - 1, "number") +
+                           " after m: the rest take their defaults");
+  }
   if (v.size() > colours + 1) {
     if (m_at >= v.size() - colours) return line.wrong_count(name, v.size(), std::to_string(expected));
     for (std::size_t i = 0; colours + i < v.size(); ++i)

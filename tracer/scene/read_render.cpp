@@ -34,6 +34,8 @@ bool read_size(Line& line, const Token& width, const Token& height, RenderReques
 }
 
 bool is_strict(const Tokens& tokens) {
+  const auto has_point = [&](std::size_t i) { return tokens[i].text.find('.') != std::string_view::npos; };
+  if (tokens.size() == 4 && has_point(0) && !has_point(1)) return false;  // the file before the camera
   return tokens.size() == 4 && !is_number(tokens[1]) && tokens[1].text != "." && is_number(tokens[2]) &&
          is_number(tokens[3]);
 }
@@ -83,7 +85,8 @@ Sorted sorted(const Tokens& tokens) {
   return result;
 }
 
-/// Camera, file, size and number of samples in any order; a word with a point in it is the file.
+/// Camera, file, size and number of samples in any order; of two words the one with a point in it is the
+/// file, or the second one.
 void read_loose(Line& line, const Token& keyword, const Tokens& tokens) {
   const Sorted found = sorted(tokens);
   const std::size_t n = found.numbers.size();
@@ -92,11 +95,15 @@ void read_loose(Line& line, const Token& keyword, const Tokens& tokens) {
   }
   Draft::RenderLine render;
   render.camera.place = line.place_of(keyword);
+  const auto has_point = [&](std::size_t i) { return found.words[i].find('.') != std::string::npos; };
+  const bool two = found.words.size() == 2;
+  const bool file_is_first = !found.words.empty() && has_point(0) && !(two && has_point(1));
   for (std::size_t i = 0; i < found.words.size(); ++i) {
-    if (found.words[i].find('.') == std::string::npos) {
-      render.camera = {found.places[i].text, line.place_of(found.places[i])};
-    } else {
+    const bool is_file = file_is_first ? i == 0 : i == 1;
+    if (is_file) {
       render.request.file = found.words[i];
+    } else {
+      render.camera = {found.places[i].text, line.place_of(found.places[i])};
     }
   }
   if (n == 0) line.warning(keyword, "no size given: 480 x 320");

@@ -65,8 +65,8 @@ void unknown_shape(Line& line, const Token& kind, const Tokens& tokens) {
   }
   line.error(kind, "expected sphere, box or composite" + hint);
   // Known, though broken: whoever refers to it gets no second error.
-  if (tokens.size() > 1) line.draft().broken_shapes.push_back(tokens[1].text);
-  line.draft().broken_shapes.push_back(kind.text);
+  if (tokens.size() > 1) line.draft().broken_shapes.insert(tokens[1].text);
+  line.draft().broken_shapes.insert(kind.text);
 }
 
 }  // namespace
@@ -98,7 +98,8 @@ void read_shape(Line& line, const Token& keyword, Tokens& tokens) {
     const Token material = tokens.back();
     tokens.pop_back();
     const std::size_t with_material = kind.text == "sphere" ? 5 : 7;
-    const bool two_words = tokens.size() == with_material && !parse_number(tokens.back().text).complaint.empty();
+    const bool two_words =
+        tokens.size() == with_material && !parse_number(tokens.back().text).complaint.empty();
     if (two_words) {
       line.draft().shapes.back().material.reset();
       line.error(material,

@@ -9,23 +9,27 @@
 namespace plumb {
 namespace {
 
-template <class Use>
-void look_up(Draft& draft, const Names& names, const Reference& reference, const char* what, Use use) {
-  if (const auto id = names.find(reference.name)) {
-    use(*id);
-    return;
-  }
+void report_unknown(Draft& draft, const std::vector<std::string_view>& known, const Reference& reference,
+                    const char* what) {
   constexpr int most_suggestions = 20;  // each looks at all names
   const auto nearest =
-      ++draft.unknown_names > most_suggestions ? std::nullopt : nearest_name(reference.name, names.all());
+      ++draft.unknown_names > most_suggestions ? std::nullopt : nearest_name(reference.name, known);
   draft.say(Severity::error, reference.place,
             "found " + in_quotes(reference.name) + ", expected the name of a " + what + " that is defined; " +
                 (nearest ? "did you mean " + in_quotes(*nearest) + "?" : "define it"));
 }
 
+template <class Use>
+void look_up(Draft& draft, const Names& names, const Reference& reference, const char* what, Use use) {
+  if (const auto id = names.find(reference.name)) {
+    use(*id);
+  } else {
+    report_unknown(draft, names.all(), reference, what);
+  }
+}
+
 bool is_broken(const Draft& draft, std::string_view name) {
-  return !draft.shape_names.find(name) &&
-         std::find(draft.broken_shapes.begin(), draft.broken_shapes.end(), name) != draft.broken_shapes.end();
+  return draft.broken_shapes.contains(name) && !draft.shape_names.find(name);
 }
 
 void resolve_materials(Draft& draft) {
@@ -75,9 +79,13 @@ void resolve_transforms(Draft& draft, TransformOrder order) {
                     ", expected a name that is not both a camera and a shape; rename one");
     } else if (camera) {
       draft.cameras[*camera].transform_lines.push_back(line.step);
+    } else if (shape) {
+      draft.shapes[*shape].transform_lines.push_back(line.step);
     } else if (!is_broken(draft, line.target.name)) {
-      look_up(draft, draft.shape_names, line.target, "shape or camera",
-              [&](ShapeId id) { draft.shapes[id].transform_lines.push_back(line.step); });
+      auto known = draft.shape_names.all();
+      const auto cameras = draft.camera_names.all();
+      known.insert(known.end(), cameras.begin(), cameras.end());
+      report_unknown(draft, known, line.target, "shape or camera");
     }
   }
   for (ShapeId id = 0; id < draft.shapes.size(); ++id) {
