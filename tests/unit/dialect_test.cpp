@@ -368,6 +368,7 @@ TEST(DialectProposals, NothingIsProposedForTheCourseGrammar) { EXPECT_TRUE(propo
 
 TEST(DialectProposals, NothingIsProposedForAMistakeNoDialectCures) {
   EXPECT_TRUE(propose_dialects(ball + "ambient 1 x 1\n").empty());
+  EXPECT_TRUE(propose_dialects(ball + "ambient 1 x 1\ndefine light l 0 0 0 1 1 1\n").empty());
   EXPECT_TRUE(propose_dialects("").empty());
 }
 

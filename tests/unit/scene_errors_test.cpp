@@ -227,6 +227,15 @@ TEST(SceneErrors, WrongCountsSayWhatWasFoundAndExpected) {
   expect_error(start + "transform ball scale 1 2\n", 3, 16, {"found 2 numbers", "1 or 3"});
 }
 
+TEST(SceneErrors, TooManyNumbersAreAsWrongAsTooFew) {
+  expect_error(start + "define shape box b 0 0 0 1 1 1 1 red\n", 3, 18, {"found 7 numbers"});
+  expect_error(start + "define light l 0 0 0 1 1 1 1 1\n", 3, 14, {"found 8 numbers"});
+  expect_error(start + "define camera c 60 0 0 0 0 0 -1 0 1 0 1\n", 3, 15, {"found 11 numbers"});
+  expect_error(start + "transform ball translate 1 2 3 4\n", 3, 16, {"found 4 numbers"});
+  expect_error(start + "transform ball rotate 1 2 3 4 5\n", 3, 16, {"found 5 numbers"});
+  expect_error(start + "transform ball scale 1 2 3 4\n", 3, 16, {"found 4 numbers"});
+}
+
 TEST(SceneErrors, OneNumberIsNotWrittenAsSeveral) {
   expect_error(start + "transform ball translate 1\n", 3, 16, {"found 1 number,"});
 }
@@ -375,6 +384,19 @@ TEST(SceneErrors, TooManyInstancesByDoublingAreRefused) {
     below = name;
   }
   expect_error(text, 2 + doublings, 24, {"more than 1000000", "counted each time"});
+}
+
+TEST(SceneErrors, TheNumberOfInstancesDoesNotOverflow) {
+  std::string text = start;
+  std::string below = "ball";
+  for (int i = 0; i < 63; ++i) {
+    const std::string name = "c" + std::to_string(i);
+    text += "define shape composite " + name + " " + below + " " + below + "\n";
+    below = name;
+  }
+  // 2^64 - 1 shapes below c62, composites among them: one more is 0 in 64 bits.
+  text += "define shape composite all c62\n";
+  expect_error(text, 66, 24, {"more than 1000000"});
 }
 
 TEST(SceneErrors, ManySmallCompositesBesideOneAnotherAreCountedTogether) {
