@@ -1,4 +1,5 @@
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <memory>
 
@@ -88,7 +89,7 @@ int update(const std::vector<std::string>& scenes) {
     }
     refs::StoredReference entry;
     entry.scene = fs::relative(path, PLUMB_SOURCE_DIRECTORY).string();
-    if (entry.scene.starts_with("..")) {
+    if (entry.scene.starts_with("..") && std::getenv("PLUMB_REFERENCES") == nullptr) {
       throw std::invalid_argument(path + ": is not in the repository, expected a scene of tests/scenes");
     }
     entry.image = fs::path(path).stem().string() + ".exr";

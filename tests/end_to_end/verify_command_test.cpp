@@ -84,7 +84,7 @@ TEST_F(Verify, PrintsATableWithALineForEachScene) {
   std::vector<std::string> table;
   for (std::string line; std::getline(lines, line);) table.push_back(line);
   ASSERT_EQ(table.size(), 4U) << outcome.out;
-  for (const char* const title : {"scene", "size", "max error", "over", "result"})
+  for (const char* const title : {"scene", "size", "error", "over", "result"})
     EXPECT_TRUE(contains(table[0], title));
   for (const char* const part : {"ball.sdf", "32x24", " agree"})
     EXPECT_TRUE(contains(table[1], part)) << table[1];
@@ -123,7 +123,7 @@ TEST_F(Verify, JsonHasTheDocumentedKeysAndTypes) {
   EXPECT_EQ(scene.at("message"), "");
   EXPECT_EQ(scene.at("width"), 32);
   EXPECT_EQ(scene.at("height"), 24);
-  for (const char* const error : {"max_error", "mean_error", "rms_error"}) {
+  for (const char* const error : {"max_error", "judged_error", "mean_error", "rms_error"}) {
     EXPECT_TRUE(scene.at(error).is_number_float()) << error;
     EXPECT_GE(scene.at(error).get<double>(), 0);
     EXPECT_LE(scene.at(error).get<double>(), 1e-6);
@@ -148,9 +148,10 @@ TEST_F(Verify, JsonHasTheDocumentedKeysAndNoOthers) {
   EXPECT_EQ(keys_of(json), (std::set<std::string>{"tool", "version", "reference", "notice", "scenes"}));
   EXPECT_EQ(keys_of(json.at("reference")), (std::set<std::string>{"renderer", "version"}));
   const Json& scene = json.at("scenes").at(0);
-  EXPECT_EQ(keys_of(scene), (std::set<std::string>{"scene", "status", "message", "width", "height",
-                                                   "max_error", "mean_error", "rms_error", "pixels_over",
-                                                   "non_finite", "worst", "seconds", "cached", "ties"}));
+  EXPECT_EQ(keys_of(scene),
+            (std::set<std::string>{"scene", "status", "message", "width", "height", "max_error",
+                                   "judged_error", "mean_error", "rms_error", "pixels_over", "non_finite",
+                                   "worst", "seconds", "cached", "ties"}));
   EXPECT_EQ(keys_of(scene.at("worst")), (std::set<std::string>{"x", "y", "ours", "reference"}));
   EXPECT_EQ(keys_of(scene.at("seconds")), (std::set<std::string>{"ours", "reference"}));
 }

@@ -279,6 +279,13 @@ TEST(SceneReader, LinesMayEndWithCarriageReturns) {
   EXPECT_EQ(result.scene, read(complete));
 }
 
+TEST(SceneReader, EachKindOfLineEndCountsAsOneLine) {
+  for (const std::string end : {"\n", "\r\n", "\r"}) {
+    const auto said = warnings("ambient 1 1 1" + end + end + "ambient 2 2 2" + end);
+    EXPECT_TRUE(any_contains(said, "f:3:1: warning: 'ambient' is given again; line 1"));
+  }
+}
+
 TEST(SceneReader, AByteOrderMarkIsSkipped) {
   const ReadResult result = read_scene("\xEF\xBB\xBF" + std::string(complete));
   EXPECT_TRUE(result.findings.empty());

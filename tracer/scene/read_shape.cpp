@@ -32,7 +32,7 @@ void composite(Line& line, const Token& name, const Tokens& tokens) {
 
 void box(Line& line, const Token& name, const Token& material, const std::vector<double>& v, Shape& made) {
   if (v.size() != 6) return shape_count(line, name, material, v.size(), 6, "6: two opposite corners x y z");
-  made.geometry = Box{glm::min(vec3(v, 0), vec3(v, 3)), glm::max(vec3(v, 0), vec3(v, 3)), 0};
+  made.geometry = Box{glm::min(vec3(v, 0), vec3(v, 3)), glm::max(vec3(v, 3), vec3(v, 0)), 0};
 }
 
 void sphere(Line& line, const Token& name, const Token& material, const std::vector<double>& v, Shape& made) {

@@ -9,11 +9,22 @@
 namespace plumb {
 namespace {
 
+/// The names that one may have meant; none any more after many unknown names, as each looks at all.
+std::vector<std::string_view> known_names(const Draft& draft, std::initializer_list<const Names*> kinds) {
+  constexpr int most_suggestions = 20;
+  std::vector<std::string_view> known;
+  if (draft.unknown_names >= most_suggestions) return known;
+  for (const Names* names : kinds) {
+    const auto all = names->all();
+    known.insert(known.end(), all.begin(), all.end());
+  }
+  return known;
+}
+
 void report_unknown(Draft& draft, const std::vector<std::string_view>& known, const Reference& reference,
                     const char* what) {
-  constexpr int most_suggestions = 20;  // each looks at all names
-  const auto nearest =
-      ++draft.unknown_names > most_suggestions ? std::nullopt : nearest_name(reference.name, known);
+  ++draft.unknown_names;
+  const auto nearest = nearest_name(reference.name, known);
   draft.say(Severity::error, reference.place,
             "found " + in_quotes(reference.name) + ", expected the name of a " + what + " that is defined; " +
                 (nearest ? "did you mean " + in_quotes(*nearest) + "?" : "define it"));
@@ -24,7 +35,7 @@ void look_up(Draft& draft, const Names& names, const Reference& reference, const
   if (const auto id = names.find(reference.name)) {
     use(*id);
   } else {
-    report_unknown(draft, names.all(), reference, what);
+    report_unknown(draft, known_names(draft, {&names}), reference, what);
   }
 }
 
@@ -82,10 +93,8 @@ void resolve_transforms(Draft& draft, TransformOrder order) {
     } else if (shape) {
       draft.shapes[*shape].transform_lines.push_back(line.step);
     } else if (!is_broken(draft, line.target.name)) {
-      auto known = draft.shape_names.all();
-      const auto cameras = draft.camera_names.all();
-      known.insert(known.end(), cameras.begin(), cameras.end());
-      report_unknown(draft, known, line.target, "shape or camera");
+      report_unknown(draft, known_names(draft, {&draft.shape_names, &draft.camera_names}), line.target,
+                     "shape or camera");
     }
   }
   for (ShapeId id = 0; id < draft.shapes.size(); ++id) {
@@ -186,7 +195,6 @@ void resolve_refraction(Draft& draft) {
 }
 
 void check_graph(Draft& draft) {
-  if (draft.has_errors()) return;
   for (HierarchyError& error : check_hierarchy(draft.scene)) {
     draft.say(Severity::error, draft.shapes[error.shape].place, std::move(error.message));
   }
@@ -231,7 +239,7 @@ bool Draft::has_errors() const {
 }
 
 void resolve(Draft& draft, TransformOrder order) {
-  draft.scene.ambient += draft.ambient_of_lights;
+  if (draft.ambient_of_lights != Rgbd(0)) draft.scene.ambient += draft.ambient_of_lights;
   resolve_materials(draft);
   resolve_children(draft);
   resolve_transforms(draft, order);

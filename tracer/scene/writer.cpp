@@ -2,17 +2,23 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
 
 namespace plumb {
 namespace {
 
 std::string triple(const Vec3d& v) { return to_text(v.x) + " " + to_text(v.y) + " " + to_text(v.z); }
 
+/// What a keyword that is not written reads back as, to the bit.
+bool is_plus_zero(const Rgbd& c) {
+  return c == Rgbd(0) && !std::signbit(c.x) && !std::signbit(c.y) && !std::signbit(c.z);
+}
+
 std::string write(const Material& material) {
   std::string line = "define material " + material.name + " " + triple(material.ka) + " " +
                      triple(material.kd) + " " + triple(material.ks) + " " + to_text(material.m);
-  if (material.mirrors()) line += " mirror " + triple(material.mirror);
-  if (material.transmits()) line += " transmit " + triple(material.transmit);
+  if (!is_plus_zero(material.mirror)) line += " mirror " + triple(material.mirror);
+  if (!is_plus_zero(material.transmit)) line += " transmit " + triple(material.transmit);
   if (material.eta != 1) line += " eta " + to_text(material.eta);
   return line + "\n";
 }
