@@ -82,8 +82,8 @@ void place(const Block& block, Image& image, std::vector<bool>& is_covered) {
   if (left < 0 || top < 0 || right < left || bottom < top || right >= image.width || bottom >= image.height) {
     throw std::runtime_error("a block of POV-Ray's state file lies outside the picture");
   }
-  const auto columns = static_cast<std::size_t>(right - left + 1);
-  const auto rows = static_cast<std::size_t>(bottom - top + 1);
+  const auto columns = static_cast<std::size_t>(right - left) + 1;
+  const auto rows = static_cast<std::size_t>(bottom - top) + 1;
   if (block.pixels.size() != columns * rows * floats_a_pixel * sizeof(float)) {
     throw std::runtime_error("a block of POV-Ray's state file has another size than its place");
   }

@@ -31,7 +31,7 @@ double cpu_seconds(bool of_process) {
 /// Where reference pictures come from: POV-Ray through the cache, or the stored images.
 class Source {
  public:
-  explicit Source(const VerifyOptions& options) : options_(options) {
+  explicit Source(const VerifyOptions& options) {
     if (options.stored) {
       use_stored("--stored");
       return;
@@ -81,7 +81,6 @@ class Source {
     return image;
   }
 
-  const VerifyOptions& options_;
   Cache cache_;
   std::unique_ptr<Povray> povray_;
   std::unique_ptr<StoredReferences> stored_;
