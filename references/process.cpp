@@ -105,6 +105,7 @@ TemporaryDirectory::TemporaryDirectory() {
     throw std::runtime_error(pattern + ": no temporary directory: " + std::strerror(errno));
   }
   path_ = pattern;
+  on_signal_.emplace(path_);
 }
 
 TemporaryDirectory::~TemporaryDirectory() {

@@ -2,8 +2,11 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "tracer/image/cleanup.hpp"
 
 namespace plumb::references {
 
@@ -21,7 +24,7 @@ struct ProcessResult {
   std::string output;      ///< standard output and error, at most 1 MiB
 };
 
-/// A directory that is removed with all it holds at the end of its scope.
+/// A directory that is removed with all it holds at the end of its scope, or by a signal.
 class TemporaryDirectory {
  public:
   TemporaryDirectory();  ///< Throws std::runtime_error.
@@ -32,6 +35,7 @@ class TemporaryDirectory {
 
  private:
   std::string path_;
+  std::optional<RemovedOnSignal> on_signal_;
 };
 
 /// Runs a program (an absolute path) without a shell, in `directory`, which is also its HOME, with nothing

@@ -61,10 +61,26 @@ thread_local double nearest_blocker = 0;
 
 bool blocks_from_afar(double t, double light_distance) { return t > nearest_blocker && t < light_distance; }
 
+/// What is as near to the start of a ray is not met at all: of surfaces that coincide one is crossed.
+thread_local double nearest_hit = 0;
+
+bool is_far_ahead(double t, double rounding) { return t > rounding && t > nearest_hit; }
+
+/// Of two hits that are as near to each other either is taken, each time by chance.
+thread_local std::mt19937 chance;
+
+bool is_nearer_or_by_chance(double t, double nearest, double) {
+  return std::abs(t - nearest) <= nearest_hit ? (chance() & 1U) != 0 : t < nearest;
+}
+
 textbook::FormulaTable<double> formulas_for_pattern(int pattern) {
   textbook::FormulaTable<double> table;
   if (pattern % 2 == 1) table.intersect_box = &leaving_at_edges;
   if (pattern % 4 > 1) table.blocks_light = &blocks_from_afar;
+  if (pattern % 16 > 7) {
+    table.is_ahead = &is_far_ahead;
+    table.is_nearer = &is_nearer_or_by_chance;
+  }
   return table;
 }
 
@@ -96,6 +112,33 @@ std::vector<double> steps_in_object_space(const Scene& scene, double world_step)
   });
   for (double& e : enlargement) e = e > 0 ? world_step / e : 0;
   return enlargement;
+}
+
+/// Adds a copy of the shape and of all below it; every child has one parent then. Returns its place.
+ShapeId copy_apart(const Scene& from, ShapeId id, Scene& to) {
+  const ShapeId copy = to.shapes.size();
+  to.shapes.push_back(from.shapes[id]);
+  if (const auto* composite = std::get_if<Composite>(&from.shapes[id].geometry)) {
+    std::vector<ShapeId> children;
+    for (const ShapeId child : composite->children) children.push_back(copy_apart(from, child, to));
+    to.shapes[copy].geometry = Composite{std::move(children)};
+  }
+  return copy;
+}
+
+/// The same world, in which every instance of a shared shape is one of its own, so that each can be moved
+/// alone; or the scene as it is, when those would be too many.
+Scene with_instances_apart(const Scene& scene) {
+  constexpr std::uint64_t most = 2000;
+  const std::vector<ShapeId> roots = scene.roots();
+  const std::vector<std::uint64_t> counts = count_instances(scene);
+  std::uint64_t all = 0;
+  for (const ShapeId root : roots) all += std::min(counts[root], most);
+  if (all > most) return scene;
+  Scene apart = scene;
+  apart.shapes.clear();
+  for (const ShapeId root : roots) copy_apart(scene, root, apart);
+  return apart;
 }
 
 Scene moved_at_random(Scene scene, const std::vector<double>& steps, double factor, std::mt19937& random) {
@@ -133,10 +176,9 @@ struct Suspect {
   bool is_tied() const { return varies && is_reproduced; }
 };
 
-/// Tries the pattern on every pixel that is not proven yet.
-void try_pattern(const PixelTracer& moved, const Image& reference, double tolerance,
+/// Tries the pattern on every pixel that is not proven yet. What changes by more than `jump` is not smooth.
+void try_pattern(const PixelTracer& moved, const Image& reference, double tolerance, double jump,
                  std::vector<Suspect>& suspects) {
-  const double jump = std::max(tolerance, smallest_jump);
   for (Suspect& s : suspects) {
     if (s.is_tied()) continue;
     const Colour outcome = moved.at(s.place);
@@ -163,12 +205,15 @@ std::vector<PixelPlace> sample_of(const std::vector<PixelPlace>& pixels, std::si
 
 }  // namespace
 
-TieReport prove_ties(const Scene& scene, const Camera& camera, const RenderOptions& options,
+TieReport prove_ties(const Scene& shared, const Camera& camera, const RenderOptions& options,
                      const Image& reference, const std::vector<PixelPlace>& pixels, double tolerance) {
+  if (pixels.empty()) return {};
+  const Scene scene = with_instances_apart(shared);
   const int affordable = affordable_patterns(pixels.size(), scene);
-  if (pixels.empty() || affordable < patterns) return {};
+  if (affordable < patterns) return {};
   const double world_step = relative_step * scene_extent(scene, camera);
   const auto steps = steps_in_object_space(scene, world_step);
+  nearest_hit = world_step;
   nearest_blocker = 10 * world_step;  // POV-Ray's shadow tolerance, 1e-3 of 1e4 units
   std::mt19937 random(1);             // any seed: the patterns are to be the same every time
   std::vector<Suspect> suspects;
@@ -181,7 +226,7 @@ TieReport prove_ties(const Scene& scene, const Camera& camera, const RenderOptio
     const double factor = pattern % 8 < 4 ? 1 : 1e-3;
     const PixelTracer moved(moved_at_random(scene, steps, factor, random), camera, reference, options,
                             formulas_for_pattern(pattern));
-    try_pattern(moved, reference, tolerance, suspects);
+    try_pattern(moved, reference, tolerance, std::max(tolerance, factor * smallest_jump), suspects);
   }
   std::vector<PixelPlace> tied;
   for (const Suspect& suspect : suspects) {
@@ -193,7 +238,11 @@ TieReport prove_ties(const Scene& scene, const Camera& camera, const RenderOptio
               found);
   if (found.empty()) return {};  // whatever it is, no surfaces that coincide
   TieReport report{tied.size(), {}};
-  for (const ShapeId id : found) report.shapes.push_back(scene.shapes[id].name);
+  for (const ShapeId id : found) {
+    const std::string& name = scene.shapes[id].name;
+    if (std::find(report.shapes.begin(), report.shapes.end(), name) == report.shapes.end())
+      report.shapes.push_back(name);
+  }
   return report;
 }
 

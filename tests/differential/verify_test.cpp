@@ -12,6 +12,7 @@
 #include "exporters/povray.hpp"
 #include "references/cache.hpp"
 #include "references/povray.hpp"
+#include "tests/support/end_to_end.hpp"
 #include "tests/support/run.hpp"
 #include "tracer/scene/reader.hpp"
 
@@ -44,8 +45,6 @@ class Variable {
   const char* name_;
   std::optional<std::string> old_;
 };
-
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 const std::string materials = R"(
 define material red 0.2 0.05 0.05 0.6 0.2 0.1 0.3 0.3 0.3 20
@@ -106,8 +105,8 @@ TEST_F(Verify, NoBadSceneStopsTheOthersAndResultsKeepTheirOrder) {
   EXPECT_EQ(report.exit_code(), 2);
   EXPECT_EQ(told, scenes);
   for (std::size_t i = 0; i < scenes.size(); ++i) EXPECT_EQ(report.scenes[i].scene, scenes[i]);
-  EXPECT_TRUE(has(report.scenes[1].message, "missing.sdf")) << report.scenes[1].message;
-  EXPECT_TRUE(has(report.scenes[2].message, "broken.sdf:1")) << report.scenes[2].message;
+  EXPECT_TRUE(contains(report.scenes[1].message, "missing.sdf")) << report.scenes[1].message;
+  EXPECT_TRUE(contains(report.scenes[2].message, "broken.sdf:1")) << report.scenes[2].message;
   EXPECT_EQ(report.scenes[0].width, 48);
   EXPECT_EQ(report.scenes[0].height, 36);
   EXPECT_EQ(report.scenes[0].comparison.pixels, 48U * 36);
@@ -167,14 +166,14 @@ TEST_F(Verify, SizeAndCameraMayBeOthersThanTheScenes) {
   options.camera = "nobody";
   const VerifyReport unknown = references::verify({scene}, options, {});
   EXPECT_EQ(unknown.exit_code(), 2);
-  EXPECT_TRUE(has(unknown.scenes[0].message, "nobody")) << unknown.scenes[0].message;
+  EXPECT_TRUE(contains(unknown.scenes[0].message, "nobody")) << unknown.scenes[0].message;
 }
 
 TEST_F(Verify, WarningsOfPovrayReachTheMessage) {
   const VerifyReport report =
       references::verify({file("empty.sdf", "define camera eye 60\nrender eye image.ppm 16 12\n")}, {}, {});
   EXPECT_EQ(report.exit_code(), 0) << report.scenes[0].message;
-  EXPECT_TRUE(has(report.scenes[0].message, "POV-Ray warns")) << report.scenes[0].message;
+  EXPECT_TRUE(contains(report.scenes[0].message, "POV-Ray warns")) << report.scenes[0].message;
 }
 
 TEST_F(Verify, ATimeLimitThatIsTooShortIsAnErrorOfThatScene) {
@@ -182,16 +181,16 @@ TEST_F(Verify, ATimeLimitThatIsTooShortIsAnErrorOfThatScene) {
   options.time_limit_seconds = 0.05;
   const VerifyReport report = references::verify({file("a.sdf", ball)}, options, {});
   EXPECT_EQ(report.exit_code(), 2);
-  EXPECT_TRUE(has(report.scenes[0].message, "longer than")) << report.scenes[0].message;
+  EXPECT_TRUE(contains(report.scenes[0].message, "longer than")) << report.scenes[0].message;
 }
 
 TEST_F(Verify, WithoutPovrayStoredImagesAreUsedAndThatIsSaid) {
   const Variable nothing_on_path("PATH", path("nowhere"));
   const Variable none_stored("PLUMB_REFERENCES", path("none"));
   const VerifyReport report = references::verify({file("a.sdf", ball)}, {}, {});
-  EXPECT_TRUE(has(report.notice, "NO POV-RAY IS RUN")) << report.notice;
+  EXPECT_TRUE(contains(report.notice, "NO POV-RAY IS RUN")) << report.notice;
   EXPECT_EQ(report.exit_code(), 2);
-  EXPECT_TRUE(has(report.scenes[0].message, "no stored reference image")) << report.scenes[0].message;
+  EXPECT_TRUE(contains(report.scenes[0].message, "no stored reference image")) << report.scenes[0].message;
 }
 
 TEST_F(Verify, StoredImagesStartNoPovrayAndThatIsSaid) {
@@ -199,7 +198,7 @@ TEST_F(Verify, StoredImagesStartNoPovrayAndThatIsSaid) {
   VerifyOptions options;
   options.stored = true;
   const VerifyReport report = references::verify({file("a.sdf", ball)}, options, {});
-  EXPECT_TRUE(has(report.notice, "--stored")) << report.notice;
+  EXPECT_TRUE(contains(report.notice, "--stored")) << report.notice;
   EXPECT_EQ(report.exit_code(), 2);
 }
 
@@ -263,7 +262,7 @@ TEST_F(Verify, APixelThatIsNotFiniteNeverAgrees) {
   cache.store(loaded.job(), cache.version_of(references::Povray()), doctored);
   const VerifyReport report = references::verify({scene}, {}, {});
   EXPECT_EQ(report.exit_code(), 1);
-  EXPECT_TRUE(has(report.scenes[0].message, "1 pixels are not finite")) << report.scenes[0].message;
+  EXPECT_TRUE(contains(report.scenes[0].message, "1 pixels are not finite")) << report.scenes[0].message;
 }
 
 // Ties.
@@ -298,9 +297,10 @@ TEST_F(Verify, TiesAreCountedAndTheirShapesNamed) {
     EXPECT_EQ(result.ties.proven, over);
     if (over == 0) continue;
     EXPECT_EQ(result.ties.shapes, (std::vector<std::string>{"one", "two"}));
-    EXPECT_TRUE(has(result.message, std::to_string(over) + " of " + std::to_string(over) + " pixels over"))
+    EXPECT_TRUE(
+        contains(result.message, std::to_string(over) + " of " + std::to_string(over) + " pixels over"))
         << result.message;
-    EXPECT_TRUE(has(result.message, "'one' 'two'")) << result.message;
+    EXPECT_TRUE(contains(result.message, "'one' 'two'")) << result.message;
   }
   EXPECT_GT(ties, 50U) << "our picture shows the one or the other";
 }
@@ -376,6 +376,41 @@ TEST_F(Verify, ASceneThatIsRenderedWronglyIsNotExcused) {
   const auto places = references::pixels_over(reference, loaded.render(), 1e-6);
   ASSERT_GT(places.size(), 100U);
   EXPECT_EQ(ties_of(loaded, reference, places).proven, 0U);
+}
+
+TEST_F(Verify, NeitherFarLightsNorScalesMakeAWrongPictureATie) {
+  // Each of these once let rounding, magnified, pass for a jump.
+  const std::vector<std::string> texts{
+      replaced(ball, "light key 3 6 4", "light key 3e7 6e7 4e7"),
+      ball + "transform ball scale 1e-3 1e3 1\ntransform ball scale 1e3 1e-3 1\n",
+      ball + "define shape composite all ball\ntransform all scale 1000 1000 1000\n",
+      block + "transform block scale 1e-4 1e-4 1e-4\ntransform block scale 1e4 1e4 1e4\n",
+  };
+  for (const std::string& text : texts) {
+    const Loaded loaded(file("a.sdf", text));
+    Image wrong = loaded.render();
+    std::vector<references::PixelPlace> places;
+    for (int y = 2; y < 36; y += 5) {
+      for (int x = 2; x < 48; x += 5) places.push_back({x, y});
+    }
+    for (const auto& place : places) wrong.pixel(place.x, place.y)[0] += 2e-5F;
+    EXPECT_EQ(ties_of(loaded, wrong, places).proven, 0U) << text;
+  }
+}
+
+TEST_F(Verify, TheSameGlassUnderTwoRootsIsATieOfEachInstance) {
+  // Shared children: every surface is there twice, and POV-Ray crosses one of them, now this, now that.
+  const std::string text = materials + R"(
+define material glass 0.1 0.1 0.3 0.2 0.1 0.1 0.2 0.2 0.2 10 mirror 0.1 0.1 0.1 transmit 0.7 0.8 0.8 eta 1.3
+define shape sphere big 0 -1 -10 3.5 glass
+define shape sphere small 0.5 -0.5 -3 0.6 glass
+define shape composite one big small
+define shape composite two big small
+define shape box floor -9 -2 -20 9 -1.9 3 red
+)";
+  const SceneResult result = references::verify({file("a.sdf", text)}, {}, {}).scenes.front();
+  EXPECT_EQ(result.status, Status::agree) << result.message;
+  EXPECT_EQ(result.comparison.pixels_over, result.ties.proven);
 }
 
 TEST_F(Verify, NothingOverNeedsNoProof) {

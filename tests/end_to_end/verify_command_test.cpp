@@ -409,6 +409,19 @@ TEST_F(StoredImages, WithoutPovRayAndImageIsTrouble) {
   EXPECT_TRUE(contains(outcome.err, "povray is not on PATH")) << outcome.err;
 }
 
+TEST_F(Verify, ASignalLeavesNothingBehind) {
+  const std::string fake = path_with_povray("case $1 in --version) exec \"$POVRAY\" \"$@\";; esac\ntouch '" +
+                                            workplace_.path("started") + "'; sleep 60");
+  const std::string wait =
+      "for i in $(seq 500); do [ -e started ] && break; sleep 0.02; done; kill -TERM $!; wait $!; echo code "
+      "$?";
+  const auto result =
+      run_shell(fake + " TMPDIR=\"$PWD\" \"$0\" verify ball.sdf & " + wait, workplace_.directory());
+  EXPECT_TRUE(contains(result.output, "code 143")) << "ended by SIGTERM: " << result.output;
+  EXPECT_EQ(listing(workplace_.directory()),
+            (std::vector<std::string>{"ball.sdf", "bin", "bin/povray", "started"}));
+}
+
 TEST_F(StoredImages, AreOfOneSize) {
   store();
   const Outcome outcome = verify({"ball.sdf", "--stored", "--size", "16x12"}, {references()});

@@ -55,6 +55,15 @@ std::vector<Include> includes() {
   return found;
 }
 
+TEST(Layers, EveryTestFileIsBuilt) {
+  const std::string built = read_file(source_path("tests/CMakeLists.txt"));
+  for (const auto& entry : fs::recursive_directory_iterator(source_path("tests"))) {
+    const std::string name = entry.path().lexically_relative(source_path("tests")).string();
+    if (entry.path().extension() != ".cpp" || name.starts_with("fuzz/")) continue;
+    EXPECT_NE(built.find(name), std::string::npos) << name << " is not in tests/CMakeLists.txt";
+  }
+}
+
 TEST(Layers, IncludesRunOneWay) {
   const auto all = includes();
   ASSERT_GT(all.size(), 100U) << "the test reads too few files to mean anything";

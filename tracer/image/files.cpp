@@ -10,6 +10,8 @@
 #include <random>
 #include <stdexcept>
 
+#include "tracer/image/cleanup.hpp"
+
 namespace plumb {
 namespace {
 
@@ -102,6 +104,7 @@ void write_file(const std::string& path, std::string_view bytes) {
   if (path == "-") return write_all(STDOUT_FILENO, bytes, "standard output");
   if (is_special(path)) return write_to(path, O_WRONLY, bytes, path);
   const std::string aside = path_aside(path);
+  const RemovedOnSignal removed(aside);
   try {
     write_to(aside, O_WRONLY | O_CREAT | O_EXCL, bytes, path);
   } catch (...) {

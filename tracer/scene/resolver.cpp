@@ -141,9 +141,10 @@ RenderRequest default_render(Draft& draft) {
   RenderRequest request;
   request.camera = draft.scene.cameras.front().name;
   if (!draft.camera_resolution) {
-    if (!draft.has_render_line)
+    if (!draft.has_render_line) {
       draft.say(Severity::warning, {draft.last_line, 1},
                 "no render: camera '" + request.camera + "', image.ppm, 480 x 320 are taken");
+    }
     return request;
   }
   const auto& [width, height, place] = *draft.camera_resolution;

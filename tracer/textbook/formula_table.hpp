@@ -28,6 +28,8 @@ struct FormulaTable {
   decltype(&formulas::transform_normal<Real>) transform_normal = &formulas::transform_normal<Real>;
   // Strahl, Kugel, Quader
   decltype(&formulas::point_at<Real>) point_at = &formulas::point_at<Real>;
+  decltype(&formulas::is_ahead<Real>) is_ahead = &formulas::is_ahead<Real>;
+  decltype(&formulas::is_nearer<Real>) is_nearer = &formulas::is_nearer<Real>;
   decltype(&formulas::intersect_sphere<Real>) intersect_sphere = &formulas::intersect_sphere<Real>;
   decltype(&formulas::sphere_normal<Real>) sphere_normal = &formulas::sphere_normal<Real>;
   decltype(&formulas::intersect_box<Real>) intersect_box = &formulas::intersect_box<Real>;

@@ -61,7 +61,7 @@ struct Query {
   /// Whether a hit counts and comes before the nearest so far. Two that rounding cannot tell apart are one
   /// place, and the first in the order of the file is taken: so coincident surfaces are crossed once.
   bool is_nearer(Real t, Real nearest) const {
-    return t > t_min && t < nearest - (t_min + rounding * t) &&
+    return formulas->is_ahead(t, t_min) && formulas->is_nearer(t, nearest, t_min + rounding * t) &&
            (!is_shadow_ray || formulas->blocks_light(t, light_distance));
   }
 
