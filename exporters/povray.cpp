@@ -105,7 +105,8 @@ class Exporter {
   }
 
   bool casts_apart(const Material& material) const {
-    return material.transmits() && options_.glass_shadow == GlassShadow::full && !scene_.lights.empty();
+    return options_.shadows && material.transmits() && options_.glass_shadow == GlassShadow::full &&
+           !scene_.lights.empty();
   }
 
   bool casts_apart(const Shape& shape) const {
@@ -139,8 +140,9 @@ class Exporter {
     std::string text = " texture { Material_" + std::to_string(id) + " }";
     if (material.transmits()) {
       text += " interior { ior " + to_text(material.eta) + " }";
-      if (options_.glass_shadow != GlassShadow::filtered) text += " no_shadow";
+      if (options_.shadows && options_.glass_shadow != GlassShadow::filtered) text += " no_shadow";
     }
+    if (!options_.shadows) text += " no_shadow";
     return text;
   }
 

@@ -13,6 +13,7 @@ enum class GlassShadow {
 struct RenderOptions {
   int depth = 8;  ///< D: trace(depth >= D) is black; the primary ray has depth 0; 1..256
   GlassShadow glass_shadow = GlassShadow::full;
+  bool shadows = true;  ///< without, every light that counts is seen
   bool operator==(const RenderOptions&) const = default;
 };
 

@@ -6,16 +6,22 @@
 
 #include "tracer/scene/render_options.hpp"
 #include "tracer/textbook/interiors.hpp"
+#include "tracer/textbook/observer.hpp"
 #include "tracer/textbook/world.hpp"
 
 namespace plumb::textbook {
 
-template <class Real, class Formulas = ReplaceableFormulas<Real>>
+template <class Real, class Formulas = ReplaceableFormulas<Real>, class Observer = NoObserver<Real>>
 class Tracer {
  public:
   Tracer(const World<Real, Formulas>& world, const Camera& camera, int width, int height,
-         const RenderOptions& options)
-      : world_(world), f_(world.formulas()), width_(width), height_(height), options_(options) {
+         const RenderOptions& options, Observer observer = {})
+      : world_(world),
+        f_(world.formulas()),
+        width_(width),
+        height_(height),
+        options_(options),
+        observer_(observer) {
     const CameraPose<Real> pose = f_->camera_pose(camera);
     world_from_camera_ = f_->camera_matrix(pose.eye, pose.direction, pose.up);
     distance_ = f_->image_plane_distance(static_cast<Real>(camera.fov_x_degrees));
@@ -29,14 +35,26 @@ class Tracer {
     const Vec2<Real> on_plane = f_->image_plane_point(x, y, width_, height_);
     Ray<Real> ray = f_->transform_ray(world_from_camera_, f_->camera_ray(on_plane, distance_));
     ray.direction = glm::normalize(ray.direction);
-    return trace(ray, {}, around_the_eye_, 0, 0);
+    return trace(RayKind::camera, ray, {}, around_the_eye_, 0);
   }
 
  private:
-  /// `depth` counts the rays before this one; `unbent` the surfaces crossed without raising it.
-  Rgb<Real> trace(const Ray<Real>& ray, SurfaceId start, const Interiors<Real>& interiors, int depth,
-                  int unbent) const {
-    if (depth >= options_.depth) return Rgb<Real>(0);
+  /// `depth` counts the rays before this one.
+  Rgb<Real> trace(RayKind kind, const Ray<Real>& ray, SurfaceId start, const Interiors<Real>& interiors,
+                  int depth) const {
+    observer_.ray_begins(kind, ray, depth);
+    const Rgb<Real> colour = follow(ray, start, interiors, depth, 0);
+    observer_.ray_ends(colour);
+    return colour;
+  }
+
+  /// `unbent` counts the surfaces that were crossed without raising the depth.
+  Rgb<Real> follow(const Ray<Real>& ray, SurfaceId start, const Interiors<Real>& interiors, int depth,
+                   int unbent) const {
+    if (depth >= options_.depth) {
+      observer_.is_black_at_depth_limit();
+      return Rgb<Real>(0);
+    }
     const Hit<Real> hit = world_.nearest_hit(ray, start);
     if (hit.surface.instance == no_instance) return world_.background();
     return shade(ray, hit, interiors, depth, unbent);
@@ -48,9 +66,10 @@ class Tracer {
     const Material<Real>& material = *surface.material;
     const Vec3<Real> point = f_->point_at(ray, hit.t);
     const Vec3<Real> n = f_->facing_normal(glm::normalize(surface.normal), ray.direction);
+    observer_.meets(hit, surface, point, n);
 
     Rgb<Real> colour = f_->ambient_light(world_.ambient(), material.ka);
-    for (const Light<Real>& light : world_.lights())
+    for (std::size_t light = 0; light < world_.lights().size(); ++light)
       colour += lit_by(light, point, n, -ray.direction, hit, material);
     if (!material.transmits && !material.mirrors) return colour;
 
@@ -60,42 +79,58 @@ class Tracer {
       Interiors<Real> beyond = interiors;
       const Real ratio = beyond.cross(hit.surface.instance, material.eta);
       const auto bent = ratio == 1 ? ray.direction : f_->refracted_direction(ray.direction, n, ratio);
-      if (!bent) return colour + trace(mirrored, hit.surface, interiors, depth + 1, 0);  // total reflection
+      if (!bent)
+        return colour + trace(RayKind::totally_reflected, mirrored, hit.surface, interiors, depth + 1);
       refracted = ratio == 1 ? go_on_unbent({point, *bent}, hit.surface, beyond, depth, unbent)
-                             : trace({point, *bent}, hit.surface, beyond, depth + 1, 0);
+                             : trace(RayKind::refracted, {point, *bent}, hit.surface, beyond, depth + 1);
     }
-    const Rgb<Real> reflected =
-        material.mirrors ? trace(mirrored, hit.surface, interiors, depth + 1, 0) : Rgb<Real>(0);
+    const Rgb<Real> reflected = material.mirrors
+                                    ? trace(RayKind::mirrored, mirrored, hit.surface, interiors, depth + 1)
+                                    : Rgb<Real>(0);
     return f_->combined_colour(colour, material.mirror, reflected, material.transmit, refracted);
   }
 
   /// Diffuse and specular light of one source; black when it is behind the surface or hidden.
-  Rgb<Real> lit_by(const Light<Real>& light, const Vec3<Real>& point, const Vec3<Real>& n,
-                   const Vec3<Real>& v, const Hit<Real>& hit, const Material<Real>& material) const {
+  Rgb<Real> lit_by(std::size_t index, const Vec3<Real>& point, const Vec3<Real>& n, const Vec3<Real>& v,
+                   const Hit<Real>& hit, const Material<Real>& material) const {
+    const Light<Real>& light = world_.lights()[index];
     const auto to_light = f_->toward_light(point, light.position);
-    const Real diffuse = f_->diffuse_factor(n, to_light.direction);
-    if (!f_->light_counts(diffuse)) return Rgb<Real>(0);
-    const Rgb<Real> delta = visibility({point, to_light.direction}, hit.surface, to_light.distance);
-    if (delta == Rgb<Real>(0)) return delta;
-    const Real specular = f_->specular_factor(f_->reflected_light(n, to_light.direction), v, material.m);
-    return f_->reflected_intensity(light.intensity, delta, material.kd, diffuse, material.ks, specular);
+    LightSeen<Real> seen{f_->diffuse_factor(n, to_light.direction), to_light.distance, false};
+    seen.counts = f_->light_counts(seen.cos_theta);
+    if (seen.counts) see({point, to_light.direction}, hit.surface, n, v, material.m, seen);
+    observer_.is_lit_by(index, seen);
+    if (seen.delta == Rgb<Real>(0)) return seen.delta;
+    return f_->reflected_intensity(light.intensity, seen.delta, material.kd, seen.cos_theta, material.ks,
+                                   seen.specular_factor);
   }
 
   /// Slide "Schatten": 0 where an object lies strictly between, else 1; glass as the options say.
-  Rgb<Real> visibility(const Ray<Real>& ray, SurfaceId start, Real distance) const {
-    if (options_.glass_shadow == GlassShadow::full)
-      return Rgb<Real>(world_.is_blocked(ray, start, distance) ? 0 : 1);
-    return visibility_through_glass(ray, start, distance);
+  void see(const Ray<Real>& to_light, SurfaceId start, const Vec3<Real>& n, const Vec3<Real>& v, Real m,
+           LightSeen<Real>& seen) const {
+    if (!options_.shadows) {
+      seen.delta = Rgb<Real>(1);
+    } else if (options_.glass_shadow == GlassShadow::full) {
+      seen.blocker = world_.blocker(to_light, start, seen.distance);
+      seen.delta = Rgb<Real>(seen.blocker.surface.instance == no_instance ? 1 : 0);
+    } else {
+      seen.delta = visibility_through_glass(to_light, start, seen.distance, seen.blocker);
+    }
+    if (seen.delta != Rgb<Real>(0))
+      seen.specular_factor = f_->specular_factor(f_->reflected_light(n, to_light.direction), v, m);
   }
 
-  Rgb<Real> visibility_through_glass(Ray<Real> ray, SurfaceId start, Real distance) const {
+  Rgb<Real> visibility_through_glass(Ray<Real> ray, SurfaceId start, Real distance,
+                                     Hit<Real>& blocker) const {
     Rgb<Real> delta(1);
     // A straight line crosses a convex object at most twice, which bounds the loop.
     for (InstanceId crossings = 0; crossings <= 2 * world_.instances(); ++crossings) {
       const Hit<Real> hit = world_.nearest_hit(ray, start);
       if (hit.surface.instance == no_instance || !f_->blocks_light(hit.t, distance)) return delta;
       const Material<Real>& material = *world_.surface(ray, hit).material;
-      if (!material.transmits) return Rgb<Real>(0);
+      if (!material.transmits) {
+        blocker = hit;
+        return Rgb<Real>(0);
+      }
       if (options_.glass_shadow == GlassShadow::filtered) delta *= material.transmit;
       ray.origin = f_->point_at(ray, hit.t);
       start = hit.surface;
@@ -108,11 +143,15 @@ class Tracer {
   /// level.
   Rgb<Real> go_on_unbent(const Ray<Real>& ray, SurfaceId start, const Interiors<Real>& beyond, int depth,
                          int unbent) const {
-    if (depth + 1 >= options_.depth) return Rgb<Real>(0);
+    observer_.is_unbent();
+    if (depth + 1 >= options_.depth) {
+      observer_.is_black_at_depth_limit();
+      return Rgb<Real>(0);
+    }
     if (unbent >= most_unbent) {
       throw std::runtime_error("a ray crosses more than 1000 surfaces of equal refractive index");
     }
-    return trace(ray, start, beyond, depth, unbent + 1);
+    return follow(ray, start, beyond, depth, unbent + 1);
   }
 
   static constexpr int most_unbent = 1000;
@@ -122,6 +161,7 @@ class Tracer {
   int width_;
   int height_;
   RenderOptions options_;
+  Observer observer_;
   Mat4<Real> world_from_camera_;
   Real distance_;
   Interiors<Real> around_the_eye_;

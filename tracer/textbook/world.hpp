@@ -56,11 +56,12 @@ class World {
     return nearest;
   }
 
-  /// Whether any object blocks the light that lies in the unit direction of the ray.
-  bool is_blocked(const Ray<Real>& ray, SurfaceId start, Real light_distance) const {
-    Hit<Real> blocker;
-    root_->intersect({formulas_, start, smallest_t(ray), true, light_distance}, ray, 0, blocker);
-    return blocker.surface.instance != no_instance;
+  /// Any object that blocks the light which lies in the unit direction of the ray; of no instance if none
+  /// does.
+  Hit<Real> blocker(const Ray<Real>& ray, SurfaceId start, Real light_distance) const {
+    Hit<Real> found;
+    root_->intersect({formulas_, start, smallest_t(ray), true, light_distance}, ray, 0, found);
+    return found;
   }
 
   Surface<Real> surface(const Ray<Real>& ray, const Hit<Real>& hit) const {

@@ -1,0 +1,35 @@
+// What a tracer tells while it follows a ray, for those who want to see the ray tree of a pixel.
+#pragma once
+
+#include <cstddef>
+
+#include "tracer/textbook/shape.hpp"
+
+namespace plumb::textbook {
+
+enum class RayKind { camera, mirrored, refracted, totally_reflected };
+
+/// What one light does at a point. `delta` is 0 where it is hidden, and black where it does not count.
+template <class Real>
+struct LightSeen {
+  Real cos_theta;  ///< n . l
+  Real distance;   ///< of the light
+  bool counts;     ///< n . l > 0; what follows is set only then
+  Rgb<Real> delta{0};
+  Hit<Real> blocker{};      ///< the first that was found, of no surface when none is
+  Real specular_factor{0};  ///< (r . v)^m
+};
+
+/// Sees nothing and costs nothing. Another observer has the same members.
+template <class Real>
+struct NoObserver {
+  void ray_begins(RayKind, const Ray<Real>&, int /*depth*/) const {}
+  void is_black_at_depth_limit() const {}
+  void meets(const Hit<Real>&, const Surface<Real>&, const Vec3<Real>& /*point*/,
+             const Vec3<Real>& /*normal*/) const {}
+  void is_lit_by(std::size_t /*light*/, const LightSeen<Real>&) const {}
+  void is_unbent() const {}  ///< goes on through a surface that does not bend, in the same ray
+  void ray_ends(const Rgb<Real>& /*colour*/) const {}
+};
+
+}  // namespace plumb::textbook
