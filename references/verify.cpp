@@ -28,6 +28,11 @@ double cpu_seconds(bool of_process) {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
+struct Picture {
+  Image image;
+  Precision precision;
+};
+
 /// Where reference pictures come from: POV-Ray through the cache, or the stored images.
 class Source {
  public:
@@ -49,8 +54,8 @@ class Source {
   const std::string& notice() const { return notice_; }
 
   /// Sets the times and whether it was cached; warnings of the renderer go to the message.
-  Image picture(const PovrayJob& job, SceneResult& result) const {
-    if (stored_) return stored_picture(job, result);
+  Picture picture(const PovrayJob& job, SceneResult& result) const {
+    if (stored_) return {stored_picture(job, result), Precision::float32};
     auto found = cache_.find(job, version_);
     result.cached = found.has_value();
     if (!found) {
@@ -60,7 +65,7 @@ class Source {
       result.seconds_reference = found->cpu_seconds;
     }
     if (!found->warnings.empty()) result.message = "POV-Ray warns: " + found->warnings;
-    return std::move(found->image);
+    return {std::move(found->image), found->precision == "float32" ? Precision::float32 : Precision::bits16};
   }
 
  private:
@@ -88,23 +93,33 @@ class Source {
   std::string notice_;
 };
 
-void judge(const Scene& scene, const Camera& camera, const VerifyOptions& options, const Image& ours,
-           const Image& reference, SceneResult& result) {
-  result.comparison = compare(reference, ours, options.tolerance);
+/// The budget in words: what the pixels over are, and what is wrong.
+std::string verdict(const SceneResult& result, const std::string& broken) {
   const Comparison& c = result.comparison;
-  if (c.pixels_over > 0 && c.non_finite == 0) {
-    result.ties = prove_ties(scene, camera, options.render, reference,
-                             pixels_over(reference, ours, options.tolerance), options.tolerance);
+  if (c.non_finite > 0) return std::to_string(c.non_finite) + " pixels are not finite";
+  const Budget& budget = result.budget;
+  if (budget.explained() == 0) return {};
+  std::string said = std::to_string(budget.explained()) + " of " + std::to_string(c.pixels_over) +
+                     " pixels over are explained, each by a proof:";
+  for (std::size_t i = 0; i + 1 < cause_count; ++i) {
+    const auto cause = static_cast<Cause>(i);
+    if (budget.count(cause) > 0)
+      said += std::string(" ") + to_string(cause) + " " + std::to_string(budget.count(cause)) + ",";
   }
-  result.status = c.pixels_over == result.ties.proven ? Status::agree : Status::differ;
-  std::string verdict;
-  if (c.non_finite > 0) verdict = std::to_string(c.non_finite) + " pixels are not finite";
-  if (result.ties.proven > 0) {
-    verdict = std::to_string(result.ties.proven) + " of " + std::to_string(c.pixels_over) +
-              " pixels over are proven ties, where surfaces or edges coincide:";
-    for (const std::string& name : result.ties.shapes) verdict += " '" + name + "'";
-  }
-  if (!verdict.empty()) result.message = verdict + (result.message.empty() ? "" : "; " + result.message);
+  said.back() = ';';
+  said += " shapes that take part:";
+  for (const std::string& name : budget.shapes) said += " '" + name + "'";
+  return broken.empty() ? said : said + "; but " + broken;
+}
+
+void judge(const AttributionJob& job, SceneResult& result) {
+  result.comparison = compare(job.reference, job.test, job.tolerance);
+  if (result.comparison.pixels_over > 0) result.budget = attribute(job);
+  const std::string broken = broken_bound(result.budget, result.width, result.height);
+  const bool agrees = result.budget.count(Cause::unexplained) == 0 && broken.empty();
+  result.status = agrees ? Status::agree : Status::differ;
+  const std::string said = verdict(result, broken);
+  if (!said.empty()) result.message = said + (result.message.empty() ? "" : "; " + result.message);
 }
 
 /// What agreement means little without: a picture of nothing, a file that was read with reservations.
@@ -133,7 +148,7 @@ void verify_scene(const VerifyOptions& options, const Source& source, int thread
   result.height = options.size ? options.size->height : request.height;
   const Camera& camera = scene.camera(options.camera.empty() ? request.camera : options.camera);
   const auto exported = exporters::export_povray(scene, camera, result.width, result.height, options.render);
-  const Image reference = source.picture(
+  const Picture reference = source.picture(
       {exported.text, result.width, result.height, exported.needs_flat_objects, options.time_limit_seconds},
       result);
   textbook::RenderJob job;
@@ -145,7 +160,8 @@ void verify_scene(const VerifyOptions& options, const Source& source, int thread
   const double before = cpu_seconds(threads > 1);
   const Image ours = textbook::render(scene, camera, job);
   result.seconds_ours = cpu_seconds(threads > 1) - before;
-  judge(scene, camera, options, ours, reference, result);
+  judge({scene, camera, options.render, reference.image, ours, options.tolerance, reference.precision},
+        result);
   add_message(result, reservations(ours, warnings));
 }
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "references/attribution.hpp"
 #include "references/comparison.hpp"
-#include "references/ties.hpp"
 #include "tracer/scene/dialect.hpp"
 #include "tracer/scene/render_options.hpp"
 #include "tracer/scene/scene.hpp"
@@ -44,7 +44,7 @@ struct SceneResult {
   int width = 0;
   int height = 0;
   Comparison comparison;
-  TieReport ties;
+  Budget budget;
   double seconds_ours = 0;       ///< of CPU time
   double seconds_reference = 0;  ///< of CPU time, when it was rendered
   bool cached = false;

@@ -35,13 +35,23 @@ Json scene_json(const SceneResult& r) {
             {"width", r.width},
             {"height", r.height}};
   json.update(plumb::cli::to_json(r.comparison));
-  json["ties"] = {{"pixels", r.ties.proven}, {"shapes", r.ties.shapes}};
+  json["budget"] = plumb::cli::to_json(r.budget);
+  json["shapes"] = r.budget.shapes;
   json["seconds"] = {{"ours", r.seconds_ours}, {"reference", r.seconds_reference}};
   json["cached"] = r.cached;
   return json;
 }
 
 }  // namespace
+
+Json to_json(const references::Budget& budget) {
+  Json json;
+  for (std::size_t i = 0; i < references::cause_count; ++i) {
+    const auto cause = static_cast<references::Cause>(i);
+    json[references::to_string(cause)] = budget.count(cause);
+  }
+  return json;
+}
 
 Json to_json(const references::Comparison& c) {
   return {{"max_error", c.max_error},
@@ -77,8 +87,8 @@ std::size_t name_width(const std::vector<std::string>& scenes) {
 }
 
 std::string table_head(std::size_t width) {
-  return formatted("%-*s %10s %10s %8s %6s  %s", static_cast<int>(width), "scene", "size", "error", "over",
-                   "ties", "result");
+  return formatted("%-*s %10s %10s %8s %7s  %s", static_cast<int>(width), "scene", "size", "error", "over",
+                   "unexpl.", "result");
 }
 
 std::string table_row(const SceneResult& r, std::size_t width) {
@@ -86,11 +96,11 @@ std::string table_row(const SceneResult& r, std::size_t width) {
       r.scene.size() <= width ? r.scene : std::filesystem::path(r.scene).filename().string();
   std::string row = formatted("%-*s ", static_cast<int>(width), name.c_str());
   if (r.status == Status::error) {
-    row += formatted("%10s %10s %8s %6s  ", "-", "-", "-", "-");
+    row += formatted("%10s %10s %8s %7s  ", "-", "-", "-", "-");
   } else {
     const std::string size = std::to_string(r.width) + "x" + std::to_string(r.height);
-    row += formatted("%10s %10.2g %8zu %6zu  ", size.c_str(), r.comparison.judged_error,
-                     r.comparison.pixels_over, r.ties.proven);
+    row += formatted("%10s %10.2g %8zu %7zu  ", size.c_str(), r.comparison.judged_error,
+                     r.comparison.pixels_over, r.budget.count(references::Cause::unexplained));
   }
   row += std::string(to_string(r.status)) + (r.cached ? " (cached)" : "");
   if (!r.message.empty()) row += "\n      " + indented(r.message);

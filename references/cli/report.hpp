@@ -13,6 +13,9 @@ using Json = nlohmann::ordered_json;
 /// max_error, mean_error, rms_error, pixels_over, non_finite, worst
 Json to_json(const references::Comparison& comparison);
 
+/// The pixels of each cause; the sum is pixels_over.
+Json to_json(const references::Budget& budget);
+
 Json to_json(const references::VerifyReport& report);
 
 /// Pretty-printed, to a file or (`-`) to standard output.

@@ -151,7 +151,7 @@ TEST_F(Verify, JsonHasTheDocumentedKeysAndNoOthers) {
   EXPECT_EQ(keys_of(scene),
             (std::set<std::string>{"scene", "status", "message", "width", "height", "max_error",
                                    "judged_error", "mean_error", "rms_error", "pixels_over", "non_finite",
-                                   "worst", "seconds", "cached", "ties"}));
+                                   "worst", "seconds", "cached", "budget", "shapes"}));
   EXPECT_EQ(keys_of(scene.at("worst")), (std::set<std::string>{"x", "y", "ours", "reference"}));
   EXPECT_EQ(keys_of(scene.at("seconds")), (std::set<std::string>{"ours", "reference"}));
 }
@@ -205,7 +205,7 @@ TEST_F(Verify, ToleranceZeroDiffersWithExitCode1) {
 TEST_F(Verify, ALoneSphereHasNoTies) {
   for (const char* const tolerance : {"0", "1e-9", "1e-8"}) {
     const Outcome outcome = verify({"ball.sdf", "--tolerance", tolerance});
-    EXPECT_FALSE(contains(outcome.out, "proven ties")) << tolerance << "\n" << outcome.out;
+    EXPECT_FALSE(contains(outcome.out, "explained")) << tolerance << "\n" << outcome.out;
   }
 }
 

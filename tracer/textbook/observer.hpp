@@ -7,7 +7,8 @@
 
 namespace plumb::textbook {
 
-enum class RayKind { camera, mirrored, refracted, totally_reflected };
+/// `unbent` goes on through a surface between two media of one refractive index: in the same depth.
+enum class RayKind { camera, mirrored, refracted, totally_reflected, unbent };
 
 /// What one light does at a point. `delta` is 0 where it is hidden, and black where it does not count.
 template <class Real>
@@ -28,7 +29,6 @@ struct NoObserver {
   void meets(const Hit<Real>&, const Surface<Real>&, const Vec3<Real>& /*point*/,
              const Vec3<Real>& /*normal*/) const {}
   void is_lit_by(std::size_t /*light*/, const LightSeen<Real>&) const {}
-  void is_unbent() const {}  ///< goes on through a surface that does not bend, in the same ray
   void ray_ends(const Rgb<Real>& /*colour*/) const {}
 };
 

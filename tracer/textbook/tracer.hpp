@@ -39,16 +39,15 @@ class Tracer {
   }
 
  private:
-  /// `depth` counts the rays before this one.
+  /// `depth` counts the rays before this one; `unbent` the surfaces crossed without raising it.
   Rgb<Real> trace(RayKind kind, const Ray<Real>& ray, SurfaceId start, const Interiors<Real>& interiors,
-                  int depth) const {
+                  int depth, int unbent = 0) const {
     observer_.ray_begins(kind, ray, depth);
-    const Rgb<Real> colour = follow(ray, start, interiors, depth, 0);
+    const Rgb<Real> colour = follow(ray, start, interiors, depth, unbent);
     observer_.ray_ends(colour);
     return colour;
   }
 
-  /// `unbent` counts the surfaces that were crossed without raising the depth.
   Rgb<Real> follow(const Ray<Real>& ray, SurfaceId start, const Interiors<Real>& interiors, int depth,
                    int unbent) const {
     if (depth >= options_.depth) {
@@ -143,15 +142,11 @@ class Tracer {
   /// level.
   Rgb<Real> go_on_unbent(const Ray<Real>& ray, SurfaceId start, const Interiors<Real>& beyond, int depth,
                          int unbent) const {
-    observer_.is_unbent();
-    if (depth + 1 >= options_.depth) {
-      observer_.is_black_at_depth_limit();
-      return Rgb<Real>(0);
-    }
     if (unbent >= most_unbent) {
       throw std::runtime_error("a ray crosses more than 1000 surfaces of equal refractive index");
     }
-    return follow(ray, start, beyond, depth, unbent + 1);
+    const bool is_last_level = depth + 1 >= options_.depth;
+    return trace(RayKind::unbent, ray, start, beyond, is_last_level ? options_.depth : depth, unbent + 1);
   }
 
   static constexpr int most_unbent = 1000;

@@ -1,0 +1,274 @@
+#include "references/attribution.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
+
+#include "references/divergence.hpp"
+#include "references/perturbation.hpp"
+#include "references/ray_tree.hpp"
+#include "tracer/textbook/tracer.hpp"
+
+namespace plumb::references {
+namespace {
+
+constexpr double smallest_jump = 1e-5;  // moving by 1e-8 changes a smooth pixel by far less
+constexpr int patterns = 48;            // two surfaces stay in one order in all of them once in 2^47 cases
+constexpr int most_patterns = 4096;     // for pixels that vary: many ties in one ray tree have many outcomes
+constexpr int patterns_of_one = 6;      // of a single shape, to find out whether it takes part
+constexpr std::size_t pixels_named = 64;  // the shapes are looked for in so many pixels
+
+using Colour = std::array<float, 3>;
+
+Colour rounded(const Rgbd& c) {
+  return {static_cast<float>(c.x), static_cast<float>(c.y), static_cast<float>(c.z)};
+}
+
+/// A scene and what traces single pixels of it, with or without a record of the rays.
+class PixelTracer {
+ public:
+  PixelTracer(Scene scene, const AttributionJob& job, const RenderOptions& options,
+              const textbook::FormulaTable<double>& formulas = {})
+      : scene_(std::move(scene)),
+        world_(scene_, formulas),
+        tracer_(world_, job.camera, job.reference.width, job.reference.height, options),
+        recording_(world_, job.camera, job.reference.width, job.reference.height, options, recorder_) {}
+  PixelTracer(const PixelTracer&) = delete;
+  PixelTracer& operator=(const PixelTracer&) = delete;
+
+  Colour at(const AttributedPixel& p) const { return rounded(tracer_.raycast(p.x, p.y)); }
+  RayNode tree_of(const AttributedPixel& p) const {
+    recording_.raycast(p.x, p.y);
+    return recorder_.take();
+  }
+
+ private:
+  using Formulas = textbook::ReplaceableFormulas<double>;
+  Scene scene_;
+  textbook::World<double> world_;
+  textbook::Tracer<double> tracer_;
+  Recorder recorder_;
+  textbook::Tracer<double, Formulas, Recorder> recording_;
+};
+
+/// A pixel over the tolerance while it is tried.
+struct Suspect {
+  AttributedPixel* pixel;
+  Colour unmoved;
+  bool varies = false;  ///< moving surfaces makes it jump
+  // The patterns whose outcomes are the two pictures' values, and what their ray trees differ in.
+  std::optional<int> as_test{};
+  std::optional<int> as_reference{};
+  std::optional<Cause> cause{};
+
+  bool is_proven() const { return varies && cause; }
+};
+
+constexpr int no_pattern = -1;  // nothing is moved
+
+/// Attributes the pixels of one picture, cause by cause.
+class Attribution {
+ public:
+  explicit Attribution(const AttributionJob& job)
+      : job_(job), scene_(with_instances_apart(job.scene)), perturbation_(scene_, job.camera) {}
+
+  Budget run() {
+    for (const PixelPlace p : pixels_over(job_.reference, job_.test, job_.tolerance)) {
+      budget_.pixels.push_back({p.x, p.y, Cause::unexplained});
+    }
+    for (AttributedPixel& pixel : budget_.pixels) {
+      if (is_finite(pixel)) explain_by_format(pixel);
+    }
+    explain_by_moves();
+    for (const int more : {-1, 1}) explain_by_depth(job_.options.depth + more);
+    return std::move(budget_);
+  }
+
+ private:
+  const float* reference(const AttributedPixel& p) const { return job_.reference.pixel(p.x, p.y); }
+  const float* test(const AttributedPixel& p) const { return job_.test.pixel(p.x, p.y); }
+
+  bool is_finite(const AttributedPixel& p) const {
+    return std::all_of(reference(p), reference(p) + 3, [](float v) { return std::isfinite(v); }) &&
+           std::all_of(test(p), test(p) + 3, [](float v) { return std::isfinite(v); });
+  }
+
+  /// Clamping and rounding to integers, to the last bit but for the rounding of the float itself.
+  void explain_by_format(AttributedPixel& p) const {
+    if (job_.precision == Precision::float32) return;
+    const double levels = job_.precision == Precision::bits8 ? 255 : 65535;
+    bool clamps = false;
+    for (int c = 0; c < 3; ++c) {
+      const double value = test(p)[c];
+      const double held = std::clamp(value, 0.0, 1.0);
+      clamps = clamps || held != value;
+      // Half a level is rounded away; the test may be off by its own tolerance, which decides a tie.
+      const double allowed = 0.5 / levels + job_.tolerance;
+      if (std::abs(held - static_cast<double>(reference(p)[c])) > allowed) return;
+    }
+    p.cause = clamps ? Cause::clamped : Cause::quantisation;
+  }
+
+  std::vector<Suspect> suspects(const PixelTracer& still) {
+    std::vector<Suspect> all;
+    for (AttributedPixel& p : budget_.pixels) {
+      if (p.cause != Cause::unexplained || !is_finite(p)) continue;
+      Suspect& s = all.emplace_back(Suspect{&p, still.at(p)});
+      try_outcome(no_pattern, s.unmoved, s);
+    }
+    return all;
+  }
+
+  /// How many patterns are worth trying: a picture that differs as a whole is no matter of chance.
+  int affordable_patterns(std::size_t suspects) const {
+    constexpr double most_traces = 4e6;
+    const double each = static_cast<double>(suspects) + static_cast<double>(scene_.shapes.size());
+    return static_cast<int>(std::min<double>(most_patterns, most_traces / each));
+  }
+
+  void explain_by_moves() {
+    if (affordable_patterns(budget_.pixels.size()) < patterns) return;
+    const PixelTracer still(scene_, job_, job_.options);
+    std::vector<Suspect> all = suspects(still);
+    const int affordable = affordable_patterns(all.size());
+    for (int pattern = 0; pattern < affordable; ++pattern) {
+      if (pattern == patterns) std::erase_if(all, [](const Suspect& s) { return !s.varies; });
+      if (std::all_of(all.begin(), all.end(), [](const Suspect& s) { return s.is_proven(); })) break;
+      const PixelTracer moved(perturbation_.moved(pattern), job_, job_.options,
+                              Perturbation::formulas(pattern));
+      for (Suspect& s : all) {
+        if (!s.is_proven()) try_pattern(pattern, moved, s);
+      }
+    }
+    const std::set<ShapeId> found = shapes_that_take_part(still, all);
+    if (found.empty()) return;  // whatever it is, it is no matter of where surfaces are
+    for (const Suspect& s : all) {
+      if (s.is_proven()) s.pixel->cause = *s.cause;
+    }
+    for (const ShapeId id : found) add_name(scene_.shapes[id].name);
+  }
+
+  void try_pattern(int pattern, const PixelTracer& moved, Suspect& s) const {
+    const double jump = std::max(job_.tolerance, Perturbation::factor(pattern) * smallest_jump);
+    perturbation_.begin_pixel(pattern, number_of(s));
+    const Colour outcome = moved.at(*s.pixel);
+    s.varies = s.varies || !is_within(s.unmoved.data(), outcome.data(), jump);
+    try_outcome(pattern, outcome, s);
+  }
+
+  /// Whether the outcome is what one of the pictures shows; when both are found, their rays tell the cause.
+  void try_outcome(int pattern, const Colour& outcome, Suspect& s) const {
+    const auto shows = [&](const float* picture, std::optional<int>& as) {
+      if (as || !is_within(picture, outcome.data(), job_.tolerance)) return;
+      as = pattern;
+      if (s.as_test && s.as_reference) s.cause = divergence(s);
+      if (s.as_test && s.as_reference && !s.cause) as.reset();  // the same rays: no matter of chance
+    };
+    shows(test(*s.pixel), s.as_test);
+    shows(reference(*s.pixel), s.as_reference);
+  }
+
+  std::optional<Cause> divergence(const Suspect& s) const {
+    return first_divergence(tree(*s.as_test, s), tree(*s.as_reference, s), perturbation_.extent());
+  }
+
+  RayNode tree(int pattern, const Suspect& s) const {
+    if (pattern == no_pattern) return PixelTracer(scene_, job_, job_.options).tree_of(*s.pixel);
+    perturbation_.begin_pixel(pattern, number_of(s));
+    return PixelTracer(perturbation_.moved(pattern), job_, job_.options, Perturbation::formulas(pattern))
+        .tree_of(*s.pixel);
+  }
+
+  std::size_t number_of(const Suspect& s) const {
+    return static_cast<std::size_t>(s.pixel - budget_.pixels.data());
+  }
+
+  /// Those whose move alone changes one of the proven pixels.
+  std::set<ShapeId> shapes_that_take_part(const PixelTracer& still, const std::vector<Suspect>& all) const {
+    const std::vector<const Suspect*> proven = sample_of_proven(all);
+    std::set<ShapeId> found;
+    for (ShapeId id = 0; id < scene_.shapes.size() && !proven.empty(); ++id) {
+      if (material_of(scene_.shapes[id]) == nullptr) continue;
+      for (int i = 0; i < patterns_of_one && !found.contains(id); ++i) {
+        const PixelTracer moved(perturbation_.with_one_moved(id, i), job_, job_.options);
+        const bool changes = std::any_of(proven.begin(), proven.end(), [&](const Suspect* s) {
+          return !is_within(still.at(*s->pixel).data(), moved.at(*s->pixel).data(), job_.tolerance);
+        });
+        if (changes) found.insert(id);
+      }
+    }
+    return found;
+  }
+
+  static std::vector<const Suspect*> sample_of_proven(const std::vector<Suspect>& all) {
+    std::vector<const Suspect*> proven;
+    for (const Suspect& s : all) {
+      if (s.is_proven()) proven.push_back(&s);
+    }
+    std::vector<const Suspect*> sample;
+    const std::size_t stride = std::max<std::size_t>(1, proven.size() / pixels_named);
+    for (std::size_t i = 0; i < proven.size(); i += stride) sample.push_back(proven[i]);
+    return sample;
+  }
+
+  void add_name(const std::string& name) {
+    if (std::find(budget_.shapes.begin(), budget_.shapes.end(), name) == budget_.shapes.end())
+      budget_.shapes.push_back(name);
+  }
+
+  void explain_by_depth(int depth) {
+    if (depth < 1 || affordable_patterns(budget_.pixels.size()) < patterns) return;
+    RenderOptions other = job_.options;
+    other.depth = depth;
+    const PixelTracer tracer(scene_, job_, other);
+    const PixelTracer still(scene_, job_, job_.options);
+    for (AttributedPixel& p : budget_.pixels) {
+      if (p.cause != Cause::unexplained || !is_finite(p)) continue;
+      const bool both = is_within(test(p), still.at(p).data(), job_.tolerance) &&
+                        is_within(reference(p), tracer.at(p).data(), job_.tolerance);
+      if (both) p.cause = Cause::depth;
+    }
+  }
+
+  const AttributionJob& job_;
+  Scene scene_;
+  Perturbation perturbation_;
+  Budget budget_;
+};
+
+}  // namespace
+
+const char* to_string(Cause cause) {
+  constexpr std::array<const char*, cause_count> names{
+      "silhouette", "shadow_edge",  "secondary_edge", "coincident", "reference_tolerance",
+      "depth",      "quantisation", "clamped",        "unexplained"};
+  return names.at(static_cast<std::size_t>(cause));
+}
+
+std::size_t Budget::count(Cause cause) const {
+  return static_cast<std::size_t>(std::count_if(pixels.begin(), pixels.end(),
+                                                [&](const AttributedPixel& p) { return p.cause == cause; }));
+}
+
+Budget attribute(const AttributionJob& job) { return Attribution(job).run(); }
+
+std::string broken_bound(const Budget& budget, int width, int height) {
+  const std::size_t lines = 2 * static_cast<std::size_t>(width) + 2 * static_cast<std::size_t>(height);
+  const std::size_t some = 16 + static_cast<std::size_t>(width) * static_cast<std::size_t>(height) / 100;
+  const std::pair<Cause, std::size_t> bounds[] = {{Cause::silhouette, lines},
+                                                  {Cause::shadow_edge, lines},
+                                                  {Cause::secondary_edge, lines},
+                                                  {Cause::reference_tolerance, some},
+                                                  {Cause::depth, some}};
+  for (const auto& [cause, most] : bounds) {
+    const std::size_t found = budget.count(cause);
+    if (found > most) {
+      return std::to_string(found) + " pixels are put down to " + to_string(cause) + ", at most " +
+             std::to_string(most) + " are allowed";
+    }
+  }
+  return {};
+}
+
+}  // namespace plumb::references

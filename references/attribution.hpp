@@ -1,0 +1,79 @@
+// The pixel budget: every pixel over the tolerance gets exactly one cause, proven by tracing it again.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "references/comparison.hpp"
+#include "tracer/scene/render_options.hpp"
+#include "tracer/scene/scene.hpp"
+
+namespace plumb::references {
+
+/// Why a pixel is over the tolerance. All but the last are matters of chance or of the reference's format,
+/// and no fault of either renderer.
+enum class Cause {
+  silhouette,           ///< the sample lies on the edge of an object or of a face
+  shadow_edge,          ///< the point lies on the edge of a shadow, or where n.l is 0
+  secondary_edge,       ///< such an edge seen in a mirror or through glass
+  coincident,           ///< two surfaces are at one place, and either may be met
+  reference_tolerance,  ///< something is nearer to the start of a ray than the reference resolves
+  depth,                ///< the reference stopped one ray earlier or later
+  quantisation,         ///< the reference holds integers: rounding gives its value exactly
+  clamped,              ///< the reference cannot hold more than 1
+  unexplained,          ///< none of these: a difference of the model
+};
+inline constexpr std::size_t cause_count = 9;
+
+/// As it stands in JSON, e.g. "shadow_edge".
+const char* to_string(Cause cause);
+
+struct AttributedPixel {
+  int x;
+  int y;
+  Cause cause;
+};
+
+struct Budget {
+  std::vector<AttributedPixel> pixels;  ///< all that are over, row by row
+  std::vector<std::string> shapes;      ///< whose move alone changes an edge or a coincidence among them
+
+  std::size_t count(Cause cause) const;
+  std::size_t explained() const { return pixels.size() - count(Cause::unexplained); }
+};
+
+/// How exactly a reference's file holds its values.
+enum class Precision {
+  float32,
+  bits16,  ///< 0..1 rounded to 1/65535
+  bits8,   ///< 0..1 rounded to 1/255
+};
+
+/// What a budget is made from. The scene is as read_scene returns it; both pictures have one size.
+struct AttributionJob {
+  const Scene& scene;
+  const Camera& camera;
+  const RenderOptions& options;
+  const Image& reference;
+  const Image& test;
+  double tolerance;  ///< as in compare()
+  Precision precision = Precision::float32;
+};
+
+/// An edge, a coincidence or the reference's tolerance is proven when moving surfaces by a distance that the
+/// reference does not resolve (see Perturbation) makes the traced pixel jump, by more than the tolerance and
+/// 1e3 times the move, when one of the outcomes is the reference's value and one is the test's, each within
+/// the tolerance, and when the ray trees of the two have another hit, light or ray: the first difference
+/// names the cause. Depth is proven when one ray more or less gives the reference's value. Non-finite pixels
+/// are never explained, nor is any of a picture that differs as a whole (more than about 80,000 pixels).
+Budget attribute(const AttributionJob& job);
+
+/// The bound that a cause breaks, in words; empty when all hold. An edge meets pixel centres by chance at
+/// some points, or along a line when it runs along the pixels: two lines each way are allowed for each kind
+/// of edge. Of the pixels where rays start nearer to a surface than the reference resolves, or end at the
+/// depth limit, 1 % and 16: more would be seen, and be the model. Coincident surfaces may fill the picture,
+/// and quantised values are each reproduced exactly, so these have no bound.
+std::string broken_bound(const Budget& budget, int width, int height);
+
+}  // namespace plumb::references

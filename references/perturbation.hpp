@@ -1,0 +1,47 @@
+// Scenes and tracers that no renderer can tell from the given ones: moved by less than a reference resolves.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "tracer/scene/scene.hpp"
+#include "tracer/textbook/formula_table.hpp"
+
+namespace plumb::references {
+
+/// Surfaces are moved by so much of the scene's extent. POV-Ray takes the nearer of two hits only when they
+/// are 1e-4 units apart, and a scene is exported to span 1e4.
+inline constexpr double relative_step = 1e-8;
+
+/// What 1e4 units of the export are in the scene.
+double exported_extent(const Scene& scene, const Camera& camera);
+
+/// The same world, in which every instance of a shared shape is one of its own, so that each can be moved
+/// alone; or the scene as it is, when those would be more than 2,000.
+Scene with_instances_apart(const Scene& scene);
+
+/// Numbered patterns of moves: each sphere and each face of a box by the step, one way or the other, or by a
+/// thousandth of it. In some patterns a ray that only touches an edge takes the face that it leaves by; what
+/// is nearer to a lit point than 10 steps casts no shadow on it; or hits within a step are one: not met at
+/// the start of a ray, and taken by chance elsewhere.
+class Perturbation {
+ public:
+  /// Both must outlive it.
+  Perturbation(const Scene& scene, const Camera& camera);
+
+  double extent() const { return extent_; }
+  /// How far the pattern moves, in steps.
+  static double factor(int pattern);
+  Scene moved(int pattern) const;
+  Scene with_one_moved(ShapeId shape, int pattern) const;
+  static textbook::FormulaTable<double> formulas(int pattern);
+  /// To be called in the thread that traces, before each pixel: the formulas of a pattern have a state.
+  void begin_pixel(int pattern, std::size_t pixel) const;
+
+ private:
+  const Scene& scene_;
+  double extent_;
+  std::vector<double> steps_;  // in the space of each shape
+};
+
+}  // namespace plumb::references
