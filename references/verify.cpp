@@ -10,9 +10,9 @@
 #include <thread>
 
 #include "exporters/povray.hpp"
-#include "references/cache.hpp"
-#include "references/povray.hpp"
-#include "references/stored.hpp"
+#include "references/explain.hpp"
+#include "references/ray_tree.hpp"
+#include "references/reference_source.hpp"
 #include "tracer/scene/reader.hpp"
 
 namespace plumb::references {
@@ -28,70 +28,9 @@ double cpu_seconds(bool of_process) {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-struct Picture {
-  Image image;
-  Precision precision;
-};
-
-/// Where reference pictures come from: POV-Ray through the cache, or the stored images.
-class Source {
- public:
-  explicit Source(const VerifyOptions& options) {
-    if (options.stored) {
-      use_stored("--stored");
-      return;
-    }
-    try {
-      povray_ = std::make_unique<Povray>();
-    } catch (const PovrayError& absent) {
-      use_stored(absent.what());
-      return;
-    }
-    version_ = cache_.version_of(*povray_);
-  }
-
-  const std::string& version() const { return version_; }
-  const std::string& notice() const { return notice_; }
-
-  /// Sets the times and whether it was cached; warnings of the renderer go to the message.
-  Picture picture(const PovrayJob& job, SceneResult& result) const {
-    if (stored_) return {stored_picture(job, result), Precision::float32};
-    auto found = cache_.find(job, version_);
-    result.cached = found.has_value();
-    if (!found) {
-      found = povray_->render(job);
-      if (found->precision == "float32")
-        cache_.store(job, version_, *found);  // else it may go better next time
-      result.seconds_reference = found->cpu_seconds;
-    }
-    if (!found->warnings.empty()) result.message = "POV-Ray warns: " + found->warnings;
-    return {std::move(found->image), found->precision == "float32" ? Precision::float32 : Precision::bits16};
-  }
-
- private:
-  void use_stored(const std::string& why) {
-    stored_ = std::make_unique<StoredReferences>(StoredReferences::default_directory());
-    version_ = stored_->all().empty() ? "" : stored_->all().front().version;
-    notice_ = "NO POV-RAY IS RUN: stored reference images are used (" + why + ")";
-  }
-
-  Image stored_picture(const PovrayJob& job, SceneResult& result) const {
-    const auto entry = stored_->find(job.text, job.width, job.height);
-    if (!entry) {
-      throw PovrayError("no stored reference image for this export at " + std::to_string(job.width) + " x " +
-                        std::to_string(job.height) + "; run with POV-Ray");
-    }
-    Image image = stored_->load(*entry);
-    result.cached = true;
-    return image;
-  }
-
-  Cache cache_;
-  std::unique_ptr<Povray> povray_;
-  std::unique_ptr<StoredReferences> stored_;
-  std::string version_;
-  std::string notice_;
-};
+void add_message(SceneResult& result, const std::string& message) {
+  if (!message.empty()) result.message += (result.message.empty() ? "" : "; ") + message;
+}
 
 /// The budget in words: what the pixels over are, and what is wrong.
 std::string verdict(const SceneResult& result, const std::string& broken) {
@@ -118,8 +57,7 @@ void judge(const AttributionJob& job, SceneResult& result) {
   const std::string broken = broken_bound(result.budget, result.width, result.height);
   const bool agrees = result.budget.count(Cause::unexplained) == 0 && broken.empty();
   result.status = agrees ? Status::agree : Status::differ;
-  const std::string said = verdict(result, broken);
-  if (!said.empty()) result.message = said + (result.message.empty() ? "" : "; " + result.message);
+  add_message(result, verdict(result, broken));
 }
 
 /// What agreement means little without: a picture of nothing, a file that was read with reservations.
@@ -136,33 +74,107 @@ std::string reservations(const Image& ours, std::size_t warnings) {
   return said;
 }
 
-void add_message(SceneResult& result, const std::string& message) {
-  if (!message.empty()) result.message += (result.message.empty() ? "" : "; ") + message;
-}
+/// One scene on both sides: as it is, and term by term.
+class SceneVerifier {
+ public:
+  SceneVerifier(const VerifyOptions& options, const ReferenceSource& source, int threads, const Scene& scene,
+                const Camera& camera, SceneResult& result)
+      : options_(options),
+        source_(source),
+        threads_(threads),
+        scene_(scene),
+        camera_(camera),
+        result_(result) {}
 
-void verify_scene(const VerifyOptions& options, const Source& source, int threads, SceneResult& result) {
+  void whole(std::size_t warnings) {
+    ReferencePicture reference = picture_of(scene_, options_.render);
+    result_.cached = reference.cached;
+    result_.seconds_reference = reference.cpu_seconds;
+    const double before = cpu_seconds(threads_ > 1);
+    Image ours = ours_of(scene_, options_.render);
+    result_.seconds_ours = cpu_seconds(threads_ > 1) - before;
+    judge(job(scene_, options_.render, reference, ours), result_);
+    if (!reference.warnings.empty()) add_message(result_, "POV-Ray warns: " + reference.warnings);
+    add_message(result_, reservations(ours, warnings));
+    if (options_.keeps_pictures) keep(std::move(reference.image), std::move(ours));
+  }
+
+  void by_terms() {
+    for (const Term term : all_terms) {
+      if (!has(term, scene_)) continue;
+      const TermScene reduced = only(term, scene_, options_.render);
+      const ReferencePicture reference = picture_of(reduced.scene, reduced.options);
+      const Image ours = ours_of(reduced.scene, reduced.options);
+      TermResult result{term, compare(reference.image, ours, options_.tolerance)};
+      if (result.comparison.pixels_over > 0) {
+        result.unexplained =
+            attribute(job(reduced.scene, reduced.options, reference, ours)).count(Cause::unexplained);
+      }
+      result_.terms.push_back(std::move(result));
+    }
+    const auto first = std::find_if(result_.terms.begin(), result_.terms.end(),
+                                    [](const TermResult& t) { return t.unexplained > 0; });
+    if (first != result_.terms.end())
+      add_message(result_, std::string("the difference lives in the term ") + to_string(first->term));
+  }
+
+ private:
+  AttributionJob job(const Scene& scene, const RenderOptions& render, const ReferencePicture& reference,
+                     const Image& ours) const {
+    return {scene, camera_, render, reference.image, ours, options_.tolerance, reference.precision};
+  }
+
+  ReferencePicture picture_of(const Scene& scene, const RenderOptions& render) const {
+    const auto exported = exporters::export_povray(scene, camera_, result_.width, result_.height, render);
+    return source_.picture({exported.text, result_.width, result_.height, exported.needs_flat_objects,
+                            options_.time_limit_seconds});
+  }
+
+  Image ours_of(const Scene& scene, const RenderOptions& render) const {
+    textbook::RenderJob job;
+    job.width = result_.width;
+    job.height = result_.height;
+    job.options = render;
+    job.real = options_.real;
+    job.threads = threads_;
+    return options_.render_ours(scene, camera_, job);
+  }
+
+  void keep(Image reference, Image ours) {
+    constexpr std::size_t most_explained = 300;
+    auto pictures = std::make_shared<Pictures>();
+    std::vector<PixelPlace> places{{result_.comparison.worst.x, result_.comparison.worst.y}};
+    const std::size_t stride = 1 + result_.budget.pixels.size() / most_explained;
+    for (std::size_t i = 0; i < result_.budget.pixels.size(); i += stride)
+      places.push_back({result_.budget.pixels[i].x, result_.budget.pixels[i].y});
+    for (const PixelPlace p : places) {
+      const RayNode tree = ray_tree(scene_, camera_, ours.width, ours.height, options_.render, p.x, p.y);
+      pictures->explanations.emplace_back(p, explain_text(scene_, tree));
+    }
+    pictures->reference = std::move(reference);
+    pictures->ours = std::move(ours);
+    result_.pictures = std::move(pictures);
+  }
+
+  const VerifyOptions& options_;
+  const ReferenceSource& source_;
+  int threads_;
+  const Scene& scene_;
+  const Camera& camera_;
+  SceneResult& result_;
+};
+
+void verify_scene(const VerifyOptions& options, const ReferenceSource& source, int threads,
+                  SceneResult& result) {
   std::size_t warnings = 0;
   const Scene scene = load_scene(result.scene, options.dialect, [&](const std::string&) { ++warnings; });
   const RenderRequest& request = scene.renders.front();
   result.width = options.size ? options.size->width : request.width;
   result.height = options.size ? options.size->height : request.height;
   const Camera& camera = scene.camera(options.camera.empty() ? request.camera : options.camera);
-  const auto exported = exporters::export_povray(scene, camera, result.width, result.height, options.render);
-  const Picture reference = source.picture(
-      {exported.text, result.width, result.height, exported.needs_flat_objects, options.time_limit_seconds},
-      result);
-  textbook::RenderJob job;
-  job.width = result.width;
-  job.height = result.height;
-  job.options = options.render;
-  job.real = options.real;
-  job.threads = threads;
-  const double before = cpu_seconds(threads > 1);
-  const Image ours = textbook::render(scene, camera, job);
-  result.seconds_ours = cpu_seconds(threads > 1) - before;
-  judge({scene, camera, options.render, reference.image, ours, options.tolerance, reference.precision},
-        result);
-  add_message(result, reservations(ours, warnings));
+  SceneVerifier verifier(options, source, threads, scene, camera, result);
+  verifier.whole(warnings);
+  if (options.terms) verifier.by_terms();
 }
 
 /// Reports results in order, whatever order they come in.
@@ -212,7 +224,7 @@ int VerifyReport::exit_code() const {
 
 VerifyReport verify(const std::vector<std::string>& scenes, const VerifyOptions& options,
                     const std::function<void(const SceneResult&)>& done) {
-  const Source source(options);
+  const ReferenceSource source(options.stored);
   VerifyReport report;
   report.reference_version = source.version();
   report.notice = source.notice();

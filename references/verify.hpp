@@ -2,12 +2,14 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "references/attribution.hpp"
 #include "references/comparison.hpp"
+#include "references/terms.hpp"
 #include "tracer/scene/dialect.hpp"
 #include "tracer/scene/render_options.hpp"
 #include "tracer/scene/scene.hpp"
@@ -34,7 +36,27 @@ struct VerifyOptions {
   bool stored = false;                                ///< compare with stored images, start no POV-Ray
   int jobs = 0;                                       ///< scenes at once; 0: as many as keep the machine busy
   double time_limit_seconds = 600;                    ///< for one run of POV-Ray
+  bool terms = false;                                 ///< also compare each term of the shading alone
+  bool keeps_pictures = false;                        ///< in the results, for a report
   std::function<void(const std::string&)> on_notice;  ///< called first, when there is one; may be empty
+  /// What renders our side; another one than the textbook tracer is judged in its place.
+  std::function<Image(const Scene&, const Camera&, const textbook::RenderJob&)> render_ours =
+      &textbook::render;
+};
+
+/// One term of the shading alone, on both sides.
+struct TermResult {
+  Term term;
+  Comparison comparison;
+  std::size_t unexplained = 0;  ///< pixels
+};
+
+/// What a report shows of a scene.
+struct Pictures {
+  Image reference;
+  Image ours;
+  /// Rays of the pixels that are over (some hundred at most) and of the worst one, as explain_text has them.
+  std::vector<std::pair<PixelPlace, std::string>> explanations;
 };
 
 struct SceneResult {
@@ -45,9 +67,11 @@ struct SceneResult {
   int height = 0;
   Comparison comparison;
   Budget budget;
-  double seconds_ours = 0;       ///< of CPU time
-  double seconds_reference = 0;  ///< of CPU time, when it was rendered
+  std::vector<TermResult> terms;  ///< those that the scene has, when they were asked for
+  double seconds_ours = 0;        ///< of CPU time
+  double seconds_reference = 0;   ///< of CPU time, when it was rendered
   bool cached = false;
+  std::shared_ptr<const Pictures> pictures;  ///< when they are kept, and it was rendered
 };
 
 struct VerifyReport {

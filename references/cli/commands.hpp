@@ -18,6 +18,7 @@ Command add_render(CLI::App& plumb);
 Command add_export(CLI::App& plumb);
 Command add_verify(CLI::App& plumb);
 Command add_compare(CLI::App& plumb);
+Command add_explain(CLI::App& plumb);
 Command add_lint(CLI::App& plumb);
 Command add_references(CLI::App& plumb);
 

@@ -37,6 +37,11 @@ Json scene_json(const SceneResult& r) {
   json.update(plumb::cli::to_json(r.comparison));
   json["budget"] = plumb::cli::to_json(r.budget);
   json["shapes"] = r.budget.shapes;
+  for (const references::TermResult& t : r.terms) {
+    json["terms"][references::to_string(t.term)] = {{"max_error", t.comparison.max_error},
+                                                    {"pixels_over", t.comparison.pixels_over},
+                                                    {"unexplained", t.unexplained}};
+  }
   json["seconds"] = {{"ours", r.seconds_ours}, {"reference", r.seconds_reference}};
   json["cached"] = r.cached;
   return json;

@@ -16,6 +16,7 @@ struct Options {
   std::string json;
   double tolerance = 1e-6;
   bool stored = false;
+  bool terms = false;
   int jobs = 0;
   SceneOptions common;
 };
@@ -29,6 +30,7 @@ references::VerifyOptions verify_options(const Options& options) {
   verify.render = render_options_of(options.common);
   verify.real = real_of(options.common);
   verify.stored = options.stored;
+  verify.terms = options.terms;
   verify.jobs = options.jobs;
   verify.on_notice = warn;
   return verify;
@@ -63,6 +65,10 @@ Command add_verify(CLI::App& plumb) {
   app->add_option("SCENE", options->scenes, "scene files")->required()->expected(-1);
   add_tolerance(*app, options->tolerance);
   app->add_flag("--stored", options->stored, "compare with the stored reference images; start no POV-Ray");
+  app->add_flag(
+      "--terms", options->terms,
+      "also compare ambient, diffuse, specular, shadow, mirror and refraction, each alone, and say in "
+      "which one a difference lives");
   app->add_option("--jobs", options->jobs, "scenes at once; default: as many as keep the machine busy")
       ->type_name("N")
       ->check(CLI::Range(1, 256));

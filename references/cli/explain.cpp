@@ -1,0 +1,110 @@
+#include "references/explain.hpp"
+
+#include <cstdio>
+#include <memory>
+
+#include "exporters/povray.hpp"
+#include "references/cli/commands.hpp"
+#include "references/cli/options.hpp"
+#include "references/cli/report.hpp"
+#include "references/reference_source.hpp"
+#include "tracer/scene/reader.hpp"
+
+namespace plumb::cli {
+namespace {
+
+struct Options {
+  std::string scene;
+  int x = 0;
+  int y = 0;
+  bool stored = false;
+  std::string json;
+  SceneOptions common;
+};
+
+/// The reference's colour of the pixel, or why there is none.
+struct ReferencePixel {
+  std::optional<Rgbd> colour;
+  std::string from;
+};
+
+ReferencePixel reference_pixel(const Options& options, const Scene& scene, const View& view) {
+  try {
+    const references::ReferenceSource source(options.stored);
+    const auto exported = exporters::export_povray(scene, view.camera, view.size.width, view.size.height,
+                                                   render_options_of(options.common));
+    const Image image =
+        source.picture({exported.text, view.size.width, view.size.height, exported.needs_flat_objects}).image;
+    const float* const p = image.pixel(options.x, options.y);
+    return {Rgbd(p[0], p[1], p[2]), "POV-Ray " + source.version()};
+  } catch (const std::runtime_error& error) {
+    return {std::nullopt, error.what()};
+  }
+}
+
+void print_colour(const char* name, const Rgbd& c, const std::string& from) {
+  std::printf("%-11s%.9g %.9g %.9g%s\n", name, c.x, c.y, c.z, from.c_str());
+}
+
+int run_explain(const Options& options) {
+  const Scene scene = load_scene(options.scene, dialect_of(options.common), warn);
+  const View view = view_of(scene, options.common);
+  if (options.x >= view.size.width || options.y >= view.size.height) {
+    throw std::invalid_argument("found pixel " + std::to_string(options.x) + " " + std::to_string(options.y) +
+                                ", expected one of the picture, " + std::to_string(view.size.width) + " x " +
+                                std::to_string(view.size.height) + ", counted from 0, row 0 on top");
+  }
+  const auto tree = references::ray_tree(scene, view.camera, view.size.width, view.size.height,
+                                         render_options_of(options.common), options.x, options.y);
+  const ReferencePixel reference = reference_pixel(options, scene, view);
+  if (options.json != "-") {
+    std::printf("pixel (%d, %d) of %s, %d x %d\n%s", options.x, options.y, options.scene.c_str(),
+                view.size.width, view.size.height, references::explain_text(scene, tree).c_str());
+    print_colour("ours", tree.colour, "");
+    if (reference.colour) {
+      print_colour("reference", *reference.colour, "   " + reference.from);
+      print_colour("difference", tree.colour - *reference.colour, "");
+    } else {
+      std::printf("reference  none: %s\n", reference.from.c_str());
+    }
+  }
+  if (!options.json.empty()) {
+    const auto list = [](const Rgbd& c) { return Json{c.x, c.y, c.z}; };
+    Json json{{"tool", "plumb"},
+              {"version", PLUMB_VERSION},
+              {"scene", options.scene},
+              {"x", options.x},
+              {"y", options.y},
+              {"width", view.size.width},
+              {"height", view.size.height},
+              {"ours", list(tree.colour)},
+              {"reference", reference.colour ? list(*reference.colour) : Json()},
+              {"reference_from", reference.from},
+              {"tree", references::explain_json(scene, tree)}};
+    write_json(options.json, json);
+  }
+  return exit_agrees;
+}
+
+}  // namespace
+
+Command add_explain(CLI::App& plumb) {
+  CLI::App* app = plumb.add_subcommand(
+      "explain", "Print the rays of one pixel: what each meets, every term of every light, and the sum.");
+  auto options = std::make_shared<Options>();
+  app->add_option("SCENE", options->scene, "scene file")->required();
+  app->add_option("X", options->x, "column, counted from 0")->required()->check(CLI::NonNegativeNumber);
+  app->add_option("Y", options->y, "row, counted from 0, row 0 on top")
+      ->required()
+      ->check(CLI::NonNegativeNumber);
+  app->add_flag("--stored", options->stored, "take the reference's value from the stored images");
+  app->add_option("--json", options->json, "write the ray tree as JSON; - is standard output")
+      ->type_name("FILE");
+  add_scene_options(*app, options->common);
+  app->footer(
+      "Example: plumb explain tests/scenes/mirror.sdf 80 60\n"
+      "Points and lengths are in world space. Exit codes: 0 explained, 2 trouble.");
+  return {app, [options] { return run_explain(*options); }};
+}
+
+}  // namespace plumb::cli

@@ -1,0 +1,18 @@
+// A ray tree in words and as JSON: every ray, what it meets, and each term with its formula's slide.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "references/ray_tree.hpp"
+
+namespace plumb::references {
+
+/// Indented lines, the camera ray first. `scene` is the one that the tree was made from.
+std::string explain_text(const Scene& scene, const RayNode& tree);
+
+/// The same as nested objects: ray, depth, met {shape, t, point, normal, material}, ambient, lights, local,
+/// children, colour. Lengths and points in world space.
+nlohmann::ordered_json explain_json(const Scene& scene, const RayNode& tree);
+
+}  // namespace plumb::references

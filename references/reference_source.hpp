@@ -1,0 +1,45 @@
+// Where reference pictures come from: POV-Ray through the cache, or the stored images.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "references/attribution.hpp"
+#include "references/cache.hpp"
+#include "references/povray.hpp"
+#include "references/stored.hpp"
+
+namespace plumb::references {
+
+struct ReferencePicture {
+  Image image;
+  Precision precision = Precision::float32;
+  std::string warnings;    ///< of the renderer
+  double cpu_seconds = 0;  ///< when it was rendered now
+  bool cached = false;     ///< or stored
+};
+
+class ReferenceSource {
+ public:
+  /// The stored images when they are asked for, or when POV-Ray is absent.
+  explicit ReferenceSource(bool stored);
+
+  const std::string& version() const { return version_; }
+  /// To be said loudly when stored images are used; else empty.
+  const std::string& notice() const { return notice_; }
+
+  /// Throws PovrayError or std::runtime_error. May be called from several threads.
+  ReferencePicture picture(const PovrayJob& job) const;
+
+ private:
+  void use_stored(const std::string& why);
+  ReferencePicture stored_picture(const PovrayJob& job) const;
+
+  Cache cache_;
+  std::unique_ptr<Povray> povray_;
+  std::unique_ptr<StoredReferences> stored_;
+  std::string version_;
+  std::string notice_;
+};
+
+}  // namespace plumb::references
