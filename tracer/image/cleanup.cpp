@@ -1,84 +1,97 @@
 #include "tracer/image/cleanup.hpp"
 
-#include <fcntl.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <csignal>
-#include <filesystem>
+#include <cstring>
 #include <mutex>
-#include <set>
-#include <system_error>
-#include <thread>
 
 namespace plumb {
 namespace {
 
-/// The handler may do next to nothing, so it wakes a thread through a pipe, and that does the work.
-class Remover {
- public:
-  static Remover& instance() {
-    static auto* const remover = new Remover;  // never destroyed: its thread outlives main
-    return *remover;
-  }
-
-  void add(const std::string& path) {
-    const std::lock_guard lock(mutex_);
-    paths_.insert(path);
-  }
-  void forget(const std::string& path) {
-    const std::lock_guard lock(mutex_);
-    paths_.erase(path);
-  }
-
- private:
-  Remover() {
-    std::array<int, 2> ends{};
-    if (::pipe2(ends.data(), O_CLOEXEC) != 0) return;  // signals then end the program at once, as ever
-    signalled_ = ends[0];
-    to_thread_ = ends[1];
-    std::thread([this] { wait(); }).detach();
-    for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
-      struct sigaction old {};
-      if (::sigaction(number, nullptr, &old) == 0 && old.sa_handler == SIG_IGN) continue;  // as under nohup
-      struct sigaction action {};
-      action.sa_handler = &Remover::on_signal;
-      action.sa_flags = SA_RESTART;
-      ::sigaction(number, &action, nullptr);
-    }
-  }
-
-  static void on_signal(int number) {
-    const int error = errno;
-    const auto byte = static_cast<unsigned char>(number);
-    [[maybe_unused]] const ssize_t written = ::write(to_thread_, &byte, 1);
-    errno = error;
-  }
-
-  void wait() {
-    unsigned char byte = 0;
-    while (::read(signalled_, &byte, 1) != 1) {
-    }
-    // Never unlocked: nothing is to be made any more that would be left behind.
-    mutex_.lock();
-    std::error_code ignored;
-    for (const std::string& path : paths_) std::filesystem::remove_all(path, ignored);
-    std::signal(byte, SIG_DFL);
-    ::kill(::getpid(), byte);
-  }
-
-  std::mutex mutex_;
-  std::set<std::string> paths_;
-  int signalled_ = -1;
-  static inline int to_thread_ = -1;
+/// A place for one path, of fixed size: a signal handler may not allocate.
+struct Slot {
+  std::atomic<bool> is_taken{false};
+  std::atomic<bool> is_ready{false};
+  std::array<char, 4000> path{};
 };
+std::array<Slot, 64> slots;  // one for each file and directory that is open at once; others are not removed
+
+/// Only what this program names so is ever removed: whatever happens, nothing of the user's.
+bool is_ours(const char* path) {
+  const char* const slash = std::strrchr(path, '/');
+  const char* const name = slash == nullptr ? path : slash + 1;
+  return std::strncmp(name, "plumb-", 6) == 0 || std::strncmp(name, ".plumb-", 7) == 0;
+}
+
+/// In the child of the handler's fork: only calls that are safe there.
+[[noreturn]] void become_rm() {
+  std::array<char*, slots.size() + 4> arguments{};
+  static char rm[] = "/bin/rm";
+  static char options[] = "-rf";
+  static char end_of_options[] = "--";
+  arguments[0] = rm;
+  arguments[1] = options;
+  arguments[2] = end_of_options;
+  std::size_t count = 3;
+  for (Slot& slot : slots) {
+    if (slot.is_ready && is_ours(slot.path.data())) arguments[count++] = slot.path.data();
+  }
+  ::execv(rm, arguments.data());
+  ::_exit(1);
+}
+
+void on_signal(int number) {
+  const pid_t child = ::_Fork();  // unlike fork() safe in a handler
+  if (child == 0) become_rm();
+  int status = 0;
+  while (child > 0 && ::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  ::signal(number, SIG_DFL);
+  ::raise(number);  // acts when the handler returns
+}
+
+void install_handlers() {
+  for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+    struct sigaction old {};
+    if (::sigaction(number, nullptr, &old) == 0 && old.sa_handler != SIG_DFL) continue;  // as under nohup
+    struct sigaction action {};
+    action.sa_handler = &on_signal;
+    ::sigaction(number, &action, nullptr);
+  }
+}
+
+Slot* slot_for(const std::string& path) {
+  const auto free =
+      std::find_if(slots.begin(), slots.end(), [](Slot& s) { return !s.is_taken.exchange(true); });
+  if (free == slots.end()) return nullptr;
+  if (path.size() >= free->path.size()) {
+    free->is_taken = false;
+    return nullptr;
+  }
+  std::copy_n(path.c_str(), path.size() + 1, free->path.data());
+  free->is_ready = true;
+  return &*free;
+}
 
 }  // namespace
 
-RemovedOnSignal::RemovedOnSignal(std::string path) : path_(std::move(path)) {
-  Remover::instance().add(path_);
+RemovedOnSignal::RemovedOnSignal(const std::string& path) {
+  static std::once_flag installed;
+  std::call_once(installed, install_handlers);
+  slot_ = slot_for(path);
 }
-RemovedOnSignal::~RemovedOnSignal() { Remover::instance().forget(path_); }
+
+RemovedOnSignal::~RemovedOnSignal() {
+  if (slot_ == nullptr) return;
+  auto* const slot = static_cast<Slot*>(slot_);
+  slot->is_ready = false;
+  slot->is_taken = false;
+}
 
 }  // namespace plumb

@@ -6,16 +6,18 @@
 namespace plumb {
 
 /// While it lives, SIGINT, SIGTERM and SIGHUP remove `path`, with all it holds, before they end the program.
-/// They end it as they would have without: by that signal.
+/// They end it as they would have without: by that signal. The path must be absolute or stay valid in the
+/// working directory, and its last part must begin with "plumb-" or ".plumb-"; of more than 64 at once some
+/// stay.
 class RemovedOnSignal {
  public:
-  explicit RemovedOnSignal(std::string path);
+  explicit RemovedOnSignal(const std::string& path);
   ~RemovedOnSignal();
   RemovedOnSignal(const RemovedOnSignal&) = delete;
   RemovedOnSignal& operator=(const RemovedOnSignal&) = delete;
 
  private:
-  std::string path_;
+  void* slot_ = nullptr;
 };
 
 }  // namespace plumb
