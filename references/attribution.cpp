@@ -142,9 +142,10 @@ class Attribution {
       }
     }
     const std::set<ShapeId> found = shapes_that_take_part(still, all);
-    if (found.empty()) return;  // whatever it is, it is no matter of where surfaces are
     for (const Suspect& s : all) {
-      if (s.is_proven()) s.pixel->cause = *s.cause;
+      // Whatever it is when no shape takes part, it is no matter of where surfaces are.
+      if (s.is_proven() && (!found.empty() || s.cause == Cause::reference_tolerance))
+        s.pixel->cause = *s.cause;
     }
     for (const ShapeId id : found) add_name(scene_.shapes[id].name);
   }

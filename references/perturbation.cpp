@@ -22,11 +22,13 @@ std::optional<FaceHit<double>> leaving_at_edges(const Ray<double>& ray, const Co
   return leaving && leaving->t <= 10 * relative_step * hit->t ? FaceHit<double>{hit->t, leaving->face} : *hit;
 }
 
-/// What is as near to the lit point as that is taken for the surface itself. An entry of the table has no
-/// state of its own, so it is the thread's.
+/// What is as near to the lit point, or to the light, as that is taken for the surface itself, or the light.
+/// An entry of the table has no state of its own, so it is the thread's.
 thread_local double nearest_blocker = 0;
 
-bool blocks_from_afar(double t, double light_distance) { return t > nearest_blocker && t < light_distance; }
+bool blocks_from_afar(double t, double light_distance) {
+  return t > nearest_blocker && t < light_distance - nearest_blocker;
+}
 
 /// What is as near to the start of a ray is not met at all: of surfaces that coincide one is crossed.
 thread_local double nearest_hit = 0;

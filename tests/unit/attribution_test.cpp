@@ -1,0 +1,186 @@
+// The pixel budget on scenes made so that the cause is known beforehand. The references are our own pictures
+// of slightly other scenes, so that no renderer is needed.
+#include "references/attribution.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "references/perturbation.hpp"
+#include "tests/support/run.hpp"
+#include "tracer/scene/reader.hpp"
+#include "tracer/textbook/render.hpp"
+
+namespace plumb::tests {
+namespace {
+
+using references::Budget;
+using references::Cause;
+
+constexpr int side = 8;
+
+// With this camera the centre of column 5 looks at x = 1.5 where z = -4, that of row 2 at y = 1.5.
+const std::string head = R"(
+define material wall 0.5 0.4 0.3 0.5 0.5 0.5 0 0 0 1
+define material other 0.1 0.2 0.9 0.2 0.6 0.2 0 0 0 1
+define material mirror 0.1 0.1 0.1 0 0 0 0 0 0 1 mirror 0.8 0.7 0.6
+ambient 0.5 0.5 0.5
+background 0.1 0.15 0.2
+define camera eye 90
+render eye image.ppm 8 8
+)";
+const std::string edge_along_a_column = head + "define shape box front -1 -1 -6 1.5 1 -4 wall\n";
+const std::string shadow_along_a_column = head + R"(
+define light key 0 6 2 1 1 1 1
+define shape box back -9 -9 -5 9 9 -4 wall
+define shape box blocker -1 3 -2 0.975 3.2 -1.9 other
+)";
+const std::string mirrored_edge = head + R"(
+define shape box back -9 -9 -5 9 9 -4 mirror
+define shape box behind -9 -9 4 4.5 9 5 other
+)";
+const std::string two_at_one_place = head + R"(
+define shape box one -1.3 -0.7 -6 0.9 0.9 -4 wall
+define shape box two -0.8 -0.9 -7 1.2 0.6 -4 other
+)";
+
+Scene scene_of(const std::string& text) {
+  const ReadResult read = read_scene(text);
+  EXPECT_FALSE(read.has_errors()) << text;
+  return read.scene;
+}
+
+Image picture(const Scene& scene, const RenderOptions& options = {}) {
+  textbook::RenderJob job;
+  job.width = side;
+  job.height = side;
+  job.options = options;
+  return textbook::render(scene, scene.cameras.front(), job);
+}
+
+Budget budget_of(const Scene& scene, const Image& reference, const Image& test,
+                 references::Precision precision = references::Precision::float32) {
+  const Budget budget =
+      references::attribute({scene, scene.cameras.front(), {}, reference, test, 1e-6, precision});
+  std::size_t sum = 0;
+  for (std::size_t i = 0; i < references::cause_count; ++i) sum += budget.count(static_cast<Cause>(i));
+  EXPECT_EQ(sum, references::pixels_over(reference, test, 1e-6).size()) << "each pixel over has one cause";
+  return budget;
+}
+
+/// Moves a face of a box by 1e-9 each way; where that shows, all must have the cause.
+void expect_cause(const std::string& text, std::size_t shape, int axis, Cause cause) {
+  const Scene scene = scene_of(text);
+  const Image test = picture(scene);
+  std::size_t over = 0;
+  for (const double step : {1e-9, -1e-9}) {
+    Scene moved = scene;
+    std::get<Box>(moved.shapes[shape].geometry).max[axis] += step;
+    const Budget budget = budget_of(scene, picture(moved), test);
+    EXPECT_EQ(budget.count(cause), budget.pixels.size()) << text;
+    if (!budget.pixels.empty()) {
+      EXPECT_FALSE(budget.shapes.empty());
+    }
+    over += budget.pixels.size();
+  }
+  EXPECT_GT(over, 0U) << "one of the two must show: " << text;
+}
+
+TEST(Attribution, AnEdgeAlongPixelCentresIsASilhouette) {
+  expect_cause(edge_along_a_column, 0, 0, Cause::silhouette);
+}
+
+TEST(Attribution, TheEdgeOfAShadow) { expect_cause(shadow_along_a_column, 1, 0, Cause::shadow_edge); }
+
+TEST(Attribution, AnEdgeInAMirror) { expect_cause(mirrored_edge, 1, 0, Cause::secondary_edge); }
+
+TEST(Attribution, SurfacesAtOnePlace) { expect_cause(two_at_one_place, 1, 2, Cause::coincident); }
+
+TEST(Attribution, WhatIsNearerToALightThanTheReferenceResolves) {
+  const std::string without = head + R"(
+define light key 0 6 2 1 1 1 1
+define shape box back -9 -9 -5 9 9 -4 wall
+)";
+  Scene scene = scene_of(without + "define shape box near -1 5 1 1 7 1.5 other\n");
+  const double extent = references::exported_extent(scene, scene.cameras.front());
+  Box& near = std::get<Box>(scene.shapes[1].geometry);
+  near.min.z = 2 - 4.5e-8 * extent;
+  near.max.z = 2 - 3e-8 * extent;
+  const Budget budget = budget_of(scene, picture(scene_of(without)), picture(scene));
+  EXPECT_GT(budget.pixels.size(), 30U) << "without the tolerance all is dark";
+  EXPECT_EQ(budget.count(Cause::reference_tolerance), budget.pixels.size());
+  EXPECT_NE(references::broken_bound(budget, side, side), "") << "so many are no matter of chance";
+}
+
+TEST(Attribution, OneRayMore) {
+  const std::string room = mirrored_edge + "define shape box mirror2 -9 -9 6 9 9 7 mirror\n";
+  const Scene scene = scene_of(room);
+  RenderOptions shorter;
+  shorter.depth = 7;
+  Scene open = scene;  // so that rays go to and fro
+  std::get<Box>(open.shapes[1].geometry) = {Vec3d(20), Vec3d(21), 1};
+  const Budget budget = budget_of(open, picture(open, shorter), picture(open));
+  EXPECT_GT(budget.pixels.size(), 0U);
+  EXPECT_EQ(budget.count(Cause::depth), budget.pixels.size());
+}
+
+TEST(Attribution, RoundingAndClampingOfIntegers) {
+  const Scene scene = scene_of(head + R"(
+define light key 0 0 2 1 1 1 1.7
+define light dim 3 3 0 1 1 1 0.1
+define shape box back -9 -9 -5 9 9 -4 wall
+define shape sphere ball 1 0 -4 0.5 other
+)");
+  const Image test = picture(scene);
+  Image reference = test;
+  for (float& v : reference.rgb) v = std::round(std::clamp(v, 0.0F, 1.0F) * 255) / 255;
+  const Budget budget = budget_of(scene, reference, test, references::Precision::bits8);
+  EXPECT_EQ(budget.count(Cause::unexplained), 0U);
+  EXPECT_GT(budget.count(Cause::clamped), 0U);
+  EXPECT_GT(budget.count(Cause::quantisation), 0U);
+  reference.rgb[0] += 2.0F / 255;
+  EXPECT_EQ(budget_of(scene, reference, test, references::Precision::bits8).count(Cause::unexplained), 1U);
+  EXPECT_GT(budget_of(scene, reference, test).count(Cause::unexplained), 30U)
+      << "a reference of floats has no such excuse";
+}
+
+TEST(Attribution, WhatIsNotFiniteIsNeverExplained) {
+  const Scene scene = scene_of(edge_along_a_column);
+  Image reference = picture(scene);
+  reference.pixel(5, 3)[1] = std::numeric_limits<float>::quiet_NaN();
+  reference.pixel(1, 1)[0] = std::numeric_limits<float>::infinity();
+  EXPECT_EQ(budget_of(scene, reference, picture(scene)).count(Cause::unexplained), 2U);
+}
+
+TEST(Attribution, AnotherModelIsUnexplained) {
+  for (const std::string& text :
+       {edge_along_a_column, shadow_along_a_column, mirrored_edge, two_at_one_place}) {
+    const Scene scene = scene_of(text);
+    for (const double factor : {0.99, 0.9999, 1.001}) {
+      Scene wrong = scene;
+      for (Material& m : wrong.materials) m.ka *= factor;
+      const Image right = picture(scene);
+      const Budget as_reference = budget_of(scene, picture(wrong), right);
+      const Budget as_test = budget_of(scene, right, picture(wrong));
+      EXPECT_GT(as_reference.pixels.size(), 0U);
+      EXPECT_EQ(as_reference.explained(), 0U) << text << factor;
+      EXPECT_EQ(as_test.explained(), 0U) << "a wrong test picture against a right reference: " << text;
+    }
+  }
+}
+
+TEST(Attribution, BoundsHoldForFewAndBreakForMany) {
+  Budget budget;
+  for (int i = 0; i < 33; ++i) budget.pixels.push_back({0, i, Cause::silhouette});
+  EXPECT_NE(references::broken_bound(budget, side, side), "") << "2 w + 2 h = 32";
+  budget.pixels.pop_back();
+  EXPECT_EQ(references::broken_bound(budget, side, side), "");
+  for (references::AttributedPixel& p : budget.pixels) p.cause = Cause::coincident;
+  EXPECT_EQ(references::broken_bound(budget, side, side), "");
+}
+
+}  // namespace
+}  // namespace plumb::tests
