@@ -65,8 +65,6 @@ TEST(RandomScenes, AgreeWithPovrayOnEveryPixel) {
   std::size_t agreed = 0;
   for (const auto& [options, paths] : scenes) {
     references::VerifyOptions verify;
-    // 1e-5, not 1e-6: glass seen through glass magnifies the rounding of POV-Ray's float32 colours and eta.
-    verify.tolerance = 1e-5;
     verify.render.depth = options.first;
     verify.render.glass_shadow = options.second;
     const auto report = references::verify(paths, verify, {});
