@@ -28,6 +28,8 @@ std::string indented(const std::string& message) {
   return text;
 }
 
+}  // namespace
+
 Json scene_json(const SceneResult& r) {
   Json json{{"scene", r.scene},
             {"status", to_string(r.status)},
@@ -40,8 +42,6 @@ Json scene_json(const SceneResult& r) {
   json["cached"] = r.cached;
   return json;
 }
-
-}  // namespace
 
 Json to_json(const references::Comparison& c) {
   return {{"max_error", c.max_error},

@@ -13,6 +13,9 @@ using Json = nlohmann::ordered_json;
 /// max_error, mean_error, rms_error, pixels_over, non_finite, worst
 Json to_json(const references::Comparison& comparison);
 
+/// One of the "scenes" of a report.
+Json scene_json(const references::SceneResult& result);
+
 Json to_json(const references::VerifyReport& report);
 
 /// Pretty-printed, to a file or (`-`) to standard output.
