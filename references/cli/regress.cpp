@@ -64,7 +64,8 @@ std::string approve_command(const Options& options, const RegressedScene& scene)
   if (!scene.can_be_approved) return {};
   return shell_word(options.program) + " regress " + shell_word(options.directory) +
          picture_arguments(options.common) + " --update " + shell_word(scene.result.scene) +
-         " --because 'the new image is right'";
+         (scene.result.status == Status::error ? " --because 'the scene is gone'"
+                                               : " --because 'the new image is right'");
 }
 
 std::string with_command(const Options& options, const RegressedScene& scene) {
@@ -210,6 +211,7 @@ Command add_regress(CLI::App& plumb) {
       "Exit codes: 0 all agree, 1 some differ, 2 trouble.");
   return {app, [options, &plumb, update_option] {
             options->program = plumb.get_name();
+            std::erase(options->update, "");  // which a lone --update gives
             return update_option->count() > 0 ? update(*options) : check(*options);
           }};
 }
