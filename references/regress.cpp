@@ -104,6 +104,23 @@ void judge(const Baselines& baselines, const RegressOptions& options, RegressedS
   if (!complaint.empty()) result.message += "\ncannot be approved: " + complaint;
 }
 
+RegressedScene judged(const Baselines& baselines, const RegressOptions& options, const std::string& directory,
+                      const std::string& name) {
+  using Clock = std::chrono::steady_clock;
+  RegressedScene scene;
+  scene.name = name;
+  scene.result.scene = scene_path(directory, name);
+  const auto begin = Clock::now();
+  try {
+    judge(baselines, options, scene);
+  } catch (const std::exception& error) {
+    scene.result.status = Status::error;
+    scene.result.message = error.what();
+  }
+  scene.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+  return scene;
+}
+
 /// A gate that checks less than was approved is trouble: nobody would notice.
 RegressedScene orphan(const Baselines& baselines, const std::string& directory, const std::string& name) {
   RegressedScene scene{name, {}, 0, true, {}, {}};
@@ -163,35 +180,19 @@ std::string non_finite_pixels(const Image& image) {
 
 std::vector<RegressedScene> regress(const std::string& directory, const RegressOptions& options,
                                     const std::function<void(const RegressedScene&)>& done) {
-  using Clock = std::chrono::steady_clock;
   const std::vector<std::string> names = scene_names(directory);
   if (names.empty()) throw std::runtime_error(directory + ": found no scene, expected *.sdf");
   const Baselines baselines(baselines_of(directory));
   std::vector<RegressedScene> scenes;
-  const auto finish = [&](RegressedScene& scene) {
+  const auto finish = [&](RegressedScene scene) {
     if (done) done(scene);
     scene.image.reset();
     scene.baseline.reset();
     scenes.push_back(std::move(scene));
   };
-  for (const std::string& name : names) {
-    RegressedScene scene;
-    scene.name = name;
-    scene.result.scene = scene_path(directory, name);
-    const auto begin = Clock::now();
-    try {
-      judge(baselines, options, scene);
-    } catch (const std::exception& error) {
-      scene.result.status = Status::error;
-      scene.result.message = error.what();
-    }
-    scene.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
-    finish(scene);
-  }
+  for (const std::string& name : names) finish(judged(baselines, options, directory, name));
   for (const std::string& name : baselines.names()) {
-    if (is_among(names, name)) continue;
-    RegressedScene gone = orphan(baselines, directory, name);
-    finish(gone);
+    if (!is_among(names, name)) finish(orphan(baselines, directory, name));
   }
   return scenes;
 }

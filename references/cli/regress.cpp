@@ -115,10 +115,8 @@ std::string to_junit(const Options& options, const std::vector<RegressedScene>& 
   return references::junit_xml(options.directory, cases);
 }
 
-int check(const Options& options) {
-  if (options.json == "-" && options.junit == "-")
-    throw std::invalid_argument("--json and --junit: found - for both, expected a FILE for one of them");
-  const bool table = options.json != "-" && options.junit != "-";
+/// Renders and compares all; prints a row of the table for each scene when it is done.
+std::vector<RegressedScene> run(const Options& options, bool table) {
   const auto names = references::scene_names(options.directory);
   std::vector<std::string> paths;
   for (const auto& name : names) paths.push_back(references::scene_path(options.directory, name));
@@ -130,19 +128,26 @@ int check(const Options& options) {
     progress.show((static_cast<double>(done) + fraction) / static_cast<double>(names.size()));
   };
   if (table) std::printf("%s\n", table_head(width).c_str());
-  const auto scenes = references::regress(options.directory, regress, [&](const RegressedScene& scene) {
+  return references::regress(options.directory, regress, [&](const RegressedScene& scene) {
     ++done;
     progress.clear();
     if (table) print_row(options, scene, width);
   });
+}
+
+int check(const Options& options) {
+  if (options.json == "-" && options.junit == "-")
+    throw std::invalid_argument("--json and --junit: found - for both, expected a FILE for one of them");
+  const bool table = options.json != "-" && options.junit != "-";
+  const auto scenes = run(options, table);
   if (!options.json.empty()) write_json(options.json, to_json(options, scenes));
   if (!options.junit.empty()) write_file(options.junit, to_junit(options, scenes));
   const auto differ = count(scenes, Status::differ);
   const auto trouble = count(scenes, Status::error);
   if (table) {
-    std::printf("%zu scenes against %s: %td agree, %td differ, %td in trouble\n", scenes.size(),
-                references::baselines_of(options.directory).c_str(), count(scenes, Status::agree), differ,
-                trouble);
+    std::printf("%zu scene%s against %s: %td agree, %td differ, %td in trouble\n", scenes.size(),
+                scenes.size() == 1 ? "" : "s", references::baselines_of(options.directory).c_str(),
+                count(scenes, Status::agree), differ, trouble);
   }
   if (trouble > 0) return exit_trouble;
   return differ > 0 ? exit_differs : exit_agrees;
@@ -176,6 +181,19 @@ int update(const Options& options) {
   return exit_agrees;
 }
 
+CLI::Option* add_update(CLI::App& app, Options& options) {
+  auto* option =
+      app.add_option("--update", options.update,
+                     "approve: render these scenes (NAME, NAME.sdf or a path) and keep their images; a "
+                     "baseline whose scene is gone is forgotten")
+          ->type_name("SCENE")
+          ->expected(0, CLI::detail::expected_max_vector_size);
+  app.add_option("--because", options.because, "why the new images are right; kept with who and when")
+      ->type_name("TEXT")
+      ->needs(option);
+  return option;
+}
+
 }  // namespace
 
 Command add_regress(CLI::App& plumb) {
@@ -185,15 +203,7 @@ Command add_regress(CLI::App& plumb) {
   app->add_option("DIR", options->directory,
                   "directory with the scenes, *.sdf; the images are in DIR/baselines")
       ->required();
-  auto* update_option =
-      app->add_option("--update", options->update,
-                      "approve: render these scenes (NAME, NAME.sdf or a path) and keep their images; a "
-                      "baseline whose scene is gone is forgotten")
-          ->type_name("SCENE")
-          ->expected(0, CLI::detail::expected_max_vector_size);
-  app->add_option("--because", options->because, "why the new images are right; kept with who and when")
-      ->type_name("TEXT")
-      ->needs(update_option);
+  CLI::Option* const update_option = add_update(*app, *options);
   app->add_option("--junit", options->junit, "write the results as JUnit XML; - is standard output")
       ->type_name("FILE")
       ->excludes(update_option);

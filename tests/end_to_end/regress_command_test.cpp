@@ -50,7 +50,7 @@ TEST_F(Regress, AnApprovedSceneAgrees) {
   const Outcome outcome = regress({});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out;
   EXPECT_EQ(outcome.err, "");
-  EXPECT_TRUE(contains(outcome.out, "1 scenes against scenes/baselines: 1 agree, 0 differ, 0 in trouble"))
+  EXPECT_TRUE(contains(outcome.out, "1 scene against scenes/baselines: 1 agree, 0 differ, 0 in trouble"))
       << outcome.out;
   EXPECT_FALSE(contains(outcome.out, "approve with")) << outcome.out;
   EXPECT_EQ(files(), before);
