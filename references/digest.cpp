@@ -13,4 +13,8 @@ std::string sha256(std::string_view bytes) {
   return text.data();
 }
 
+std::string sha256(const std::vector<float>& values) {
+  return sha256({reinterpret_cast<const char*>(values.data()), values.size() * sizeof(float)});
+}
+
 }  // namespace plumb::references

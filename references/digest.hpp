@@ -3,9 +3,13 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace plumb::references {
 
 std::string sha256(std::string_view bytes);
+
+/// Of the bytes of the values, as they lie in memory.
+std::string sha256(const std::vector<float>& values);
 
 }  // namespace plumb::references

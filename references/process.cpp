@@ -99,8 +99,11 @@ std::string read_start_of(const std::string& path) {
 
 }  // namespace
 
-TemporaryDirectory::TemporaryDirectory() {
-  std::string pattern = (std::filesystem::temp_directory_path() / "plumb-XXXXXX").string();
+TemporaryDirectory::TemporaryDirectory()
+    : TemporaryDirectory((std::filesystem::temp_directory_path() / "plumb-").string()) {}
+
+TemporaryDirectory::TemporaryDirectory(const std::string& path_prefix) {
+  std::string pattern = path_prefix + "XXXXXX";
   if (mkdtemp(pattern.data()) == nullptr) {
     throw std::runtime_error(pattern + ": no temporary directory: " + std::strerror(errno));
   }

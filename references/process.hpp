@@ -28,6 +28,8 @@ struct ProcessResult {
 class TemporaryDirectory {
  public:
   TemporaryDirectory();  ///< Throws std::runtime_error.
+  /// Where a file shall be renamed from, its directory must lie beside the target. Throws std::runtime_error.
+  explicit TemporaryDirectory(const std::string& path_prefix);
   ~TemporaryDirectory();
   TemporaryDirectory(const TemporaryDirectory&) = delete;
   TemporaryDirectory& operator=(const TemporaryDirectory&) = delete;

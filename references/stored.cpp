@@ -36,10 +36,6 @@ Json to_json(const StoredReference& e) {
           {"command", e.command}};
 }
 
-std::string hash_of(const std::vector<float>& values) {
-  return sha256({reinterpret_cast<const char*>(values.data()), values.size() * sizeof(float)});
-}
-
 }  // namespace
 
 std::string StoredReferences::default_directory() {
@@ -70,7 +66,7 @@ Image StoredReferences::load(const StoredReference& entry) const {
   const std::string path = directory_ + "/" + entry.image;
   ImageFile file = read_image(path);
   if (file.width != entry.width || file.height != entry.height || file.channels != 3 ||
-      hash_of(file.values) != entry.pixels_sha256) {
+      sha256(file.values) != entry.pixels_sha256) {
     throw std::runtime_error(path + ": is not the image that provenance.json tells of");
   }
   Image image(file.width, file.height);
@@ -79,7 +75,7 @@ Image StoredReferences::load(const StoredReference& entry) const {
 }
 
 void StoredReferences::store(StoredReference entry, const Image& image) {
-  entry.pixels_sha256 = hash_of(image.rgb);
+  entry.pixels_sha256 = sha256(image.rgb);
   std::filesystem::create_directories(directory_);
   write_image(directory_ + "/" + entry.image, image, Encoding::linear);
   const auto same = std::find_if(entries_.begin(), entries_.end(),

@@ -10,8 +10,6 @@
 #include <thread>
 
 #include "exporters/povray.hpp"
-#include "references/explain.hpp"
-#include "references/ray_tree.hpp"
 #include "references/reference_source.hpp"
 #include "tracer/scene/reader.hpp"
 
@@ -51,15 +49,6 @@ std::string verdict(const SceneResult& result, const std::string& broken) {
   return broken.empty() ? said : said + "; but " + broken;
 }
 
-void judge(const AttributionJob& job, SceneResult& result) {
-  result.comparison = compare(job.reference, job.test, job.tolerance);
-  if (result.comparison.pixels_over > 0) result.budget = attribute(job);
-  const std::string broken = broken_bound(result.budget, result.width, result.height);
-  const bool agrees = result.budget.count(Cause::unexplained) == 0 && broken.empty();
-  result.status = agrees ? Status::agree : Status::differ;
-  add_message(result, verdict(result, broken));
-}
-
 /// What agreement means little without: a picture of nothing, a file that was read with reservations.
 std::string reservations(const Image& ours, std::size_t warnings) {
   std::string said;
@@ -87,16 +76,17 @@ class SceneVerifier {
         result_(result) {}
 
   void whole(std::size_t warnings) {
-    ReferencePicture reference = picture_of(scene_, options_.render);
+    const ReferencePicture reference = picture_of(scene_, options_.render);
     result_.cached = reference.cached;
     result_.seconds_reference = reference.cpu_seconds;
     const double before = cpu_seconds(threads_ > 1);
-    Image ours = ours_of(scene_, options_.render);
+    const Image ours = ours_of(scene_, options_.render);
     result_.seconds_ours = cpu_seconds(threads_ > 1) - before;
-    judge(job(scene_, options_.render, reference, ours), result_);
+    const AttributionJob whole = job(scene_, options_.render, reference, ours);
+    judge(whole, result_);
     if (!reference.warnings.empty()) add_message(result_, "POV-Ray warns: " + reference.warnings);
     add_message(result_, reservations(ours, warnings));
-    if (options_.keeps_pictures) keep(std::move(reference.image), std::move(ours));
+    if (options_.keeps_pictures) result_.pictures = pictures_of(whole, result_.comparison, result_.budget);
   }
 
   void by_terms() {
@@ -138,22 +128,6 @@ class SceneVerifier {
     job.real = options_.real;
     job.threads = threads_;
     return options_.render_ours(scene, camera_, job);
-  }
-
-  void keep(Image reference, Image ours) {
-    constexpr std::size_t most_explained = 300;
-    auto pictures = std::make_shared<Pictures>();
-    std::vector<PixelPlace> places{{result_.comparison.worst.x, result_.comparison.worst.y}};
-    const std::size_t stride = 1 + result_.budget.pixels.size() / most_explained;
-    for (std::size_t i = 0; i < result_.budget.pixels.size(); i += stride)
-      places.push_back({result_.budget.pixels[i].x, result_.budget.pixels[i].y});
-    for (const PixelPlace p : places) {
-      const RayNode tree = ray_tree(scene_, camera_, ours.width, ours.height, options_.render, p.x, p.y);
-      pictures->explanations.emplace_back(p, explain_text(scene_, tree));
-    }
-    pictures->reference = std::move(reference);
-    pictures->ours = std::move(ours);
-    result_.pictures = std::move(pictures);
   }
 
   const VerifyOptions& options_;
@@ -220,6 +194,15 @@ int VerifyReport::exit_code() const {
   };
   if (has(Status::error)) return 2;
   return has(Status::differ) ? 1 : 0;
+}
+
+void judge(const AttributionJob& job, SceneResult& result) {
+  result.comparison = compare(job.reference, job.test, job.tolerance);
+  if (result.comparison.pixels_over > 0) result.budget = attribute(job);
+  const std::string broken = broken_bound(result.budget, result.width, result.height);
+  const bool agrees = result.budget.count(Cause::unexplained) == 0 && broken.empty();
+  result.status = agrees ? Status::agree : Status::differ;
+  add_message(result, verdict(result, broken));
 }
 
 VerifyReport verify(const std::vector<std::string>& scenes, const VerifyOptions& options,

@@ -9,6 +9,7 @@
 
 #include "references/attribution.hpp"
 #include "references/comparison.hpp"
+#include "references/pictures.hpp"
 #include "references/terms.hpp"
 #include "tracer/scene/dialect.hpp"
 #include "tracer/scene/render_options.hpp"
@@ -51,14 +52,6 @@ struct TermResult {
   std::size_t unexplained = 0;  ///< pixels
 };
 
-/// What a report shows of a scene.
-struct Pictures {
-  Image reference;
-  Image ours;
-  /// Rays of the pixels that are over (some hundred at most) and of the worst one, as explain_text has them.
-  std::vector<std::pair<PixelPlace, std::string>> explanations;
-};
-
 struct SceneResult {
   std::string scene;
   Status status = Status::error;
@@ -73,6 +66,10 @@ struct SceneResult {
   bool cached = false;
   std::shared_ptr<const Pictures> pictures;  ///< when they are kept, and it was rendered
 };
+
+/// Compares the pictures, attributes every pixel over, and sets comparison, budget and status; the budget in
+/// words goes to the message. Width and height are set already.
+void judge(const AttributionJob& job, SceneResult& result);
 
 struct VerifyReport {
   std::string reference_version;

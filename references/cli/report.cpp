@@ -28,6 +28,8 @@ std::string indented(const std::string& message) {
   return text;
 }
 
+}  // namespace
+
 Json scene_json(const SceneResult& r) {
   Json json{{"scene", r.scene},
             {"status", to_string(r.status)},
@@ -46,8 +48,6 @@ Json scene_json(const SceneResult& r) {
   json["cached"] = r.cached;
   return json;
 }
-
-}  // namespace
 
 Json to_json(const references::Budget& budget) {
   Json json;

@@ -16,6 +16,9 @@ Json to_json(const references::Comparison& comparison);
 /// The pixels of each cause; the sum is pixels_over.
 Json to_json(const references::Budget& budget);
 
+/// One of the "scenes" of a report.
+Json scene_json(const references::SceneResult& result);
+
 Json to_json(const references::VerifyReport& report);
 
 /// Pretty-printed, to a file or (`-`) to standard output.

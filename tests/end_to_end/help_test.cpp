@@ -30,7 +30,11 @@ const std::vector<CommandHelp>& all_commands() {
         "--glass-shadow", "--dialect"}},
       {"compare", {"a.pfm", "b.pfm"}, {"--tolerance", "--json"}},
       {"lint", {"s.sdf"}, {"--json", "--dialect"}},
-      {"references", {"--check"}, {"--check", "--update"}}};
+      {"references", {"--check"}, {"--check", "--update"}},
+      {"regress",
+       {"d"},
+       {"--update", "--because", "--junit", "--json", "--tolerance", "--threads", "--real", "--size",
+        "--camera", "--depth", "--glass-shadow", "--dialect"}}};
   return commands;
 }
 

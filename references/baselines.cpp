@@ -1,0 +1,186 @@
+#include "references/baselines.hpp"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <stdexcept>
+
+#include "references/digest.hpp"
+#include "tracer/image/files.hpp"
+#include "tracer/image/io.hpp"
+
+namespace plumb::references {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr const char* records_name = "/baselines.json";
+constexpr const char* remedy = "; bring both back as they were approved, e.g. git checkout ";
+
+Json to_json(const Baseline& b) {
+  return {{"scene", b.name + ".sdf"},
+          {"image", b.name + ".exr"},
+          {"who", b.who},
+          {"when", b.when},
+          {"why", b.why},
+          {"version", b.version},
+          {"width", b.width},
+          {"height", b.height},
+          {"scene_sha256", b.scene_sha256},
+          {"pixels_sha256", b.pixels_sha256},
+          {"command", b.command}};
+}
+
+/// Throws Json::exception or std::runtime_error.
+Baseline from_json(const Json& json) {
+  const std::string scene = json.at("scene");
+  Baseline b{fs::path(scene).stem().string(),
+             json.at("width"),
+             json.at("height"),
+             json.at("who"),
+             json.at("when"),
+             json.at("why"),
+             json.at("version"),
+             json.at("scene_sha256"),
+             json.at("pixels_sha256"),
+             json.at("command")};
+  // No record leads out of the directory.
+  if (b.name.empty() || scene != b.name + ".sdf" || json.at("image") != b.name + ".exr") {
+    throw std::runtime_error("found scene " + json.at("scene").dump() + " and image " +
+                             json.at("image").dump() + ", expected NAME.sdf and NAME.exr");
+  }
+  return b;
+}
+
+/// In its place by name, instead of one of that name.
+void put(std::vector<Baseline>& entries, Baseline entry) {
+  const auto at = std::lower_bound(entries.begin(), entries.end(), entry.name,
+                                   [](const Baseline& b, const std::string& name) { return b.name < name; });
+  if (at != entries.end() && at->name == entry.name) {
+    *at = std::move(entry);
+  } else {
+    entries.insert(at, std::move(entry));
+  }
+}
+
+std::string text_of(const std::vector<Baseline>& entries, const std::string& directory) {
+  Json all = Json::array();
+  for (const Baseline& b : entries) all.push_back(to_json(b));
+  try {
+    return all.dump(2) + "\n";
+  } catch (const Json::type_error&) {
+    throw std::runtime_error(directory + records_name +
+                             ": not written: found a name or reason that is not UTF-8, which JSON needs");
+  }
+}
+
+/// One update at a time: held until the end of its scope.
+class Lock {
+ public:
+  explicit Lock(const std::string& directory)
+      : descriptor_(::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+    if (descriptor_ >= 0 && ::flock(descriptor_, LOCK_EX) == 0) return;
+    const int error = errno;
+    if (descriptor_ >= 0) ::close(descriptor_);
+    throw std::runtime_error(directory + ": cannot be locked: " + std::strerror(error));
+  }
+  ~Lock() { ::close(descriptor_); }
+  Lock(const Lock&) = delete;
+  Lock& operator=(const Lock&) = delete;
+
+ private:
+  int descriptor_;
+};
+
+}  // namespace
+
+Baselines::Baselines(std::string directory) : directory_(std::move(directory)) {
+  const std::string path = directory_ + records_name;
+  if (!fs::exists(path)) return;
+  try {
+    const Json all = Json::parse(read_file(path));
+    if (!all.is_array()) throw std::runtime_error("expected a list of records");
+    for (const Json& entry : all) {
+      Baseline baseline = from_json(entry);
+      if (find(baseline.name) != nullptr) throw std::runtime_error("'" + baseline.name + "' is there twice");
+      put(entries_, std::move(baseline));
+    }
+  } catch (const std::exception& error) {
+    throw std::runtime_error(path + ": is damaged: " + error.what() + remedy + directory_);
+  }
+}
+
+const Baseline* Baselines::find(const std::string& name) const {
+  const auto it =
+      std::find_if(entries_.begin(), entries_.end(), [&](const Baseline& b) { return b.name == name; });
+  return it == entries_.end() ? nullptr : &*it;
+}
+
+std::string Baselines::image_path(const std::string& name) const { return directory_ + "/" + name + ".exr"; }
+
+std::vector<std::string> Baselines::names() const {
+  std::set<std::string> names;
+  for (const Baseline& b : entries_) names.insert(b.name);
+  if (fs::exists(directory_)) {
+    for (const auto& entry : fs::directory_iterator(directory_)) {
+      if (entry.path().extension() == ".exr") names.insert(entry.path().stem().string());
+    }
+  }
+  return {names.begin(), names.end()};
+}
+
+Image Baselines::load(const Baseline& entry) const {
+  const std::string path = image_path(entry.name);
+  ImageFile file;
+  try {
+    file = read_image(path);
+  } catch (const std::exception& error) {
+    throw std::runtime_error(std::string(error.what()) + remedy + directory_);
+  }
+  if (file.width != entry.width || file.height != entry.height || file.channels != 3 ||
+      sha256(file.values) != entry.pixels_sha256) {
+    throw std::runtime_error(path + ": is not the image that baselines.json tells of" + remedy + directory_);
+  }
+  Image image(file.width, file.height);
+  image.rgb = std::move(file.values);
+  return image;
+}
+
+BaselineUpdate::BaselineUpdate(std::string directory, const std::string& aside)
+    : directory_(std::move(directory)), aside_(aside + "/.plumb-") {}
+
+void BaselineUpdate::add(Baseline record, const Image& image) {
+  record.width = image.width;
+  record.height = image.height;
+  record.pixels_sha256 = sha256(image.rgb);
+  write_image(aside_.path() + "/" + record.name + ".exr", image, Encoding::linear);
+  added_.push_back(std::move(record));
+}
+
+void BaselineUpdate::commit() {
+  fs::create_directories(directory_);
+  const Lock lock(directory_);
+  std::vector<Baseline> entries = Baselines(directory_).all();
+  for (const Baseline& record : added_) put(entries, record);
+  std::erase_if(entries, [&](const Baseline& b) {
+    return std::find(gone_.begin(), gone_.end(), b.name) != gone_.end();
+  });
+  write_file(aside_.path() + records_name, text_of(entries, directory_));
+  // All that can fail for want of space has happened; the rest is renames.
+  for (const Baseline& record : added_) {
+    const std::string file = "/" + record.name + ".exr";
+    fs::rename(aside_.path() + file, directory_ + file);
+  }
+  fs::rename(aside_.path() + records_name, directory_ + records_name);
+  for (const std::string& name : gone_) fs::remove(directory_ + "/" + name + ".exr");
+}
+
+}  // namespace plumb::references

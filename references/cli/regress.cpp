@@ -1,0 +1,229 @@
+#include "references/regress.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+
+#include "references/approve.hpp"
+#include "references/cli/commands.hpp"
+#include "references/cli/options.hpp"
+#include "references/cli/progress.hpp"
+#include "references/cli/report.hpp"
+#include "references/junit.hpp"
+#include "tracer/image/files.hpp"
+
+namespace plumb::cli {
+namespace {
+
+using references::RegressedScene;
+using references::shell_word;
+using references::Status;
+
+struct Options {
+  std::string program;  ///< as it was called
+  std::string directory;
+  std::vector<std::string> update;
+  std::string because;
+  std::string json;
+  std::string junit;
+  double tolerance = 1e-6;
+  int threads = 0;
+  SceneOptions common;
+};
+
+/// The options that change the picture, each with a blank before it.
+std::string picture_arguments(const SceneOptions& options) {
+  const SceneOptions usual;
+  std::string text;
+  const auto add = [&](const char* name, const std::string& value, const std::string& usual_value) {
+    if (value != usual_value) text += std::string(" ") + name + " " + shell_word(value);
+  };
+  add("--size", options.size, usual.size);
+  add("--camera", options.camera, usual.camera);
+  add("--depth", std::to_string(options.depth), std::to_string(usual.depth));
+  add("--glass-shadow", options.glass_shadow, usual.glass_shadow);
+  add("--real", options.real, usual.real);
+  add("--dialect", options.dialect, usual.dialect);
+  return text;
+}
+
+references::RegressOptions regress_options(const Options& options) {
+  references::RegressOptions regress;
+  regress.size = size_of(options.common);
+  regress.camera = options.common.camera;
+  regress.tolerance = options.tolerance;
+  regress.dialect = dialect_of(options.common);
+  regress.render = render_options_of(options.common);
+  regress.real = real_of(options.common);
+  regress.threads = options.threads;
+  return regress;
+}
+
+/// The command that approves the scene as it looks now; empty when there is nothing to approve.
+std::string approve_command(const Options& options, const RegressedScene& scene) {
+  if (!scene.can_be_approved) return {};
+  return shell_word(options.program) + " regress " + shell_word(options.directory) +
+         picture_arguments(options.common) + " --update " + shell_word(scene.result.scene) +
+         (scene.result.status == Status::error ? " --because 'the scene is gone'"
+                                               : " --because 'the new image is right'");
+}
+
+std::string with_command(const Options& options, const RegressedScene& scene) {
+  const std::string command = approve_command(options, scene);
+  return scene.result.message + (command.empty() ? "" : "\napprove with: " + command);
+}
+
+void print_row(const Options& options, const RegressedScene& scene, std::size_t width) {
+  references::SceneResult row = scene.result;
+  row.message = with_command(options, scene);
+  std::printf("%s\n", table_row(row, width).c_str());
+  flush_output();
+}
+
+std::ptrdiff_t count(const std::vector<RegressedScene>& scenes, Status status) {
+  return std::count_if(scenes.begin(), scenes.end(),
+                       [&](const RegressedScene& s) { return s.result.status == status; });
+}
+
+Json to_json(const Options& options, const std::vector<RegressedScene>& scenes) {
+  Json list = Json::array();
+  for (const RegressedScene& scene : scenes) {
+    list.push_back(scene_json(scene.result));
+    list.back()["approve"] = approve_command(options, scene);
+  }
+  return {{"tool", "plumb"},
+          {"version", PLUMB_VERSION},
+          {"baselines", references::baselines_of(options.directory)},
+          {"tolerance", options.tolerance},
+          {"scenes", list}};
+}
+
+references::JunitCase junit_case(const Options& options, const RegressedScene& scene) {
+  using Outcome = references::JunitCase::Outcome;
+  const Status status = scene.result.status;
+  const Outcome outcome = status == Status::agree    ? Outcome::passed
+                          : status == Status::differ ? Outcome::failed
+                                                     : Outcome::error;
+  const std::string& message = scene.result.message;
+  return {scene.name, outcome, message.substr(0, message.find('\n')), with_command(options, scene),
+          scene.seconds};
+}
+
+std::string to_junit(const Options& options, const std::vector<RegressedScene>& scenes) {
+  std::vector<references::JunitCase> cases;
+  for (const RegressedScene& scene : scenes) cases.push_back(junit_case(options, scene));
+  return references::junit_xml(options.directory, cases);
+}
+
+/// Renders and compares all; prints a row of the table for each scene when it is done.
+std::vector<RegressedScene> run(const Options& options, bool table) {
+  const auto names = references::scene_names(options.directory);
+  std::vector<std::string> paths;
+  for (const auto& name : names) paths.push_back(references::scene_path(options.directory, name));
+  const std::size_t width = name_width(paths);
+  Progress progress("rendering " + options.directory);
+  std::size_t done = 0;
+  auto regress = regress_options(options);
+  regress.progress = [&](double fraction) {
+    progress.show((static_cast<double>(done) + fraction) / static_cast<double>(names.size()));
+  };
+  if (table) std::printf("%s\n", table_head(width).c_str());
+  return references::regress(options.directory, regress, [&](const RegressedScene& scene) {
+    ++done;
+    progress.clear();
+    if (table) print_row(options, scene, width);
+  });
+}
+
+int check(const Options& options) {
+  if (options.json == "-" && options.junit == "-")
+    throw std::invalid_argument("--json and --junit: found - for both, expected a FILE for one of them");
+  const bool table = options.json != "-" && options.junit != "-";
+  const auto scenes = run(options, table);
+  if (!options.json.empty()) write_json(options.json, to_json(options, scenes));
+  if (!options.junit.empty()) write_file(options.junit, to_junit(options, scenes));
+  const auto differ = count(scenes, Status::differ);
+  const auto trouble = count(scenes, Status::error);
+  if (table) {
+    std::printf("%zu scene%s against %s: %td agree, %td differ, %td in trouble\n", scenes.size(),
+                scenes.size() == 1 ? "" : "s", references::baselines_of(options.directory).c_str(),
+                count(scenes, Status::agree), differ, trouble);
+  }
+  if (trouble > 0) return exit_trouble;
+  return differ > 0 ? exit_differs : exit_agrees;
+}
+
+int update(const Options& options) {
+  if (options.update.empty()) {
+    throw std::invalid_argument(
+        "--update: name the scenes whose images you approve; for all of them: --update " +
+        shell_word(options.directory) + "/*.sdf");
+  }
+  if (options.because.find_first_not_of(" \t\r\n") == std::string::npos) {
+    throw std::invalid_argument(
+        "--update: say why the new image is right, it is kept beside it: --because 'the light was moved'");
+  }
+  Progress progress("rendering " + options.directory);
+  auto regress = regress_options(options);
+  regress.progress = [&](double fraction) { progress.show(fraction); };
+  const auto approved = references::approve(
+      options.directory, regress, {options.update, options.because, warn, picture_arguments(options.common)});
+  progress.clear();
+  for (const references::Approved& scene : approved) {
+    if (scene.is_gone) {
+      std::printf("forgotten %s\n", scene.name.c_str());
+      continue;
+    }
+    std::printf("approved %s %dx%d\n", scene.name.c_str(), scene.width, scene.height);
+    if (scene.is_of_one_colour)
+      warn(scene.name + ": warning: nothing is seen: every pixel has the same colour");
+  }
+  return exit_agrees;
+}
+
+CLI::Option* add_update(CLI::App& app, Options& options) {
+  auto* option =
+      app.add_option("--update", options.update,
+                     "approve: render these scenes (NAME, NAME.sdf or a path) and keep their images; a "
+                     "baseline whose scene is gone is forgotten")
+          ->type_name("SCENE")
+          ->expected(0, CLI::detail::expected_max_vector_size);
+  app.add_option("--because", options.because, "why the new images are right; kept with who and when")
+      ->type_name("TEXT")
+      ->needs(option);
+  return option;
+}
+
+}  // namespace
+
+Command add_regress(CLI::App& plumb) {
+  CLI::App* app = plumb.add_subcommand(
+      "regress", "Render the scenes of a directory and compare them with the images approved for them.");
+  auto options = std::make_shared<Options>();
+  app->add_option("DIR", options->directory,
+                  "directory with the scenes, *.sdf; the images are in DIR/baselines")
+      ->required();
+  CLI::Option* const update_option = add_update(*app, *options);
+  app->add_option("--junit", options->junit, "write the results as JUnit XML; - is standard output")
+      ->type_name("FILE")
+      ->excludes(update_option);
+  app->add_option("--json", options->json, "write the results as JSON; - is standard output")
+      ->type_name("FILE")
+      ->excludes(update_option);
+  app->add_option("--threads", options->threads, "threads; default: all")->check(CLI::Range(1, 1024));
+  add_tolerance(*app, options->tolerance);
+  add_real(*app, options->common);
+  add_scene_options(*app, options->common);
+  app->footer(
+      "Example: plumb regress tests/scenes --junit results.xml\n"
+      "         plumb regress tests/scenes --update phong shadow --because 'the light was moved'\n"
+      "No POV-Ray is run. A scene without a baseline differs; a baseline without its scene is trouble.\n"
+      "Exit codes: 0 all agree, 1 some differ, 2 trouble.");
+  return {app, [options, &plumb, update_option] {
+            options->program = plumb.get_name();
+            std::erase(options->update, "");  // which a lone --update gives
+            return update_option->count() > 0 ? update(*options) : check(*options);
+          }};
+}
+
+}  // namespace plumb::cli

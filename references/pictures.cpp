@@ -1,0 +1,33 @@
+#include "references/pictures.hpp"
+
+#include "references/explain.hpp"
+#include "references/ray_tree.hpp"
+
+namespace plumb::references {
+namespace {
+
+std::vector<PixelPlace> places_to_explain(const Comparison& comparison, const Budget& budget) {
+  constexpr std::size_t most = 300;
+  std::vector<PixelPlace> places{{comparison.worst.x, comparison.worst.y}};
+  const std::size_t stride = 1 + budget.pixels.size() / most;
+  for (std::size_t i = 0; i < budget.pixels.size(); i += stride)
+    places.push_back({budget.pixels[i].x, budget.pixels[i].y});
+  return places;
+}
+
+}  // namespace
+
+std::shared_ptr<const Pictures> pictures_of(const AttributionJob& job, const Comparison& comparison,
+                                            const Budget& budget) {
+  auto pictures = std::make_shared<Pictures>();
+  pictures->reference = std::make_shared<const Image>(job.reference);
+  pictures->ours = std::make_shared<const Image>(job.test);
+  for (const PixelPlace p : places_to_explain(comparison, budget)) {
+    const RayNode tree =
+        ray_tree(job.scene, job.camera, job.test.width, job.test.height, job.options, p.x, p.y);
+    pictures->explanations.emplace_back(p, explain_text(job.scene, tree));
+  }
+  return pictures;
+}
+
+}  // namespace plumb::references

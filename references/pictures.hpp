@@ -1,0 +1,26 @@
+// What a report shows of a scene besides its figures.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "references/attribution.hpp"
+#include "references/comparison.hpp"
+#include "tracer/image/image.hpp"
+
+namespace plumb::references {
+
+struct Pictures {
+  std::shared_ptr<const Image> reference;
+  std::shared_ptr<const Image> ours;
+  /// Rays of the worst pixel and of those that are over, 300 at most, as explain_text has them.
+  std::vector<std::pair<PixelPlace, std::string>> explanations;
+};
+
+/// The pictures of the job with the rays of the pixels that a reader will ask about.
+std::shared_ptr<const Pictures> pictures_of(const AttributionJob& job, const Comparison& comparison,
+                                            const Budget& budget);
+
+}  // namespace plumb::references

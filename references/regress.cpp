@@ -1,0 +1,211 @@
+#include "references/regress.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <cmath>
+#include <ctime>
+#include <filesystem>
+#include <stdexcept>
+
+#include "references/digest.hpp"
+#include "tracer/scene/reader.hpp"
+
+namespace plumb::references {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_among(const std::vector<std::string>& sorted, const std::string& name) {
+  return std::binary_search(sorted.begin(), sorted.end(), name);
+}
+
+std::string number(double value) {
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof text, value, std::chars_format::general, 6).ptr};
+}
+
+/// The shortest text that reads back as the same float32.
+std::string components(const float* values) {
+  std::string text;
+  for (int c = 0; c < 3; ++c) {
+    char component[32];
+    text.append(c == 0 ? "" : " ");
+    text.append(component, std::to_chars(component, component + sizeof component, values[c]).ptr);
+  }
+  return text;
+}
+
+std::string at(int x, int y) { return "(" + std::to_string(x) + ", " + std::to_string(y) + ")"; }
+
+std::string size_text(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
+
+const Camera& camera_of(const Scene& scene, const RegressOptions& options) {
+  return scene.camera(options.camera.empty() ? scene.renders.front().camera : options.camera);
+}
+
+/// The figures of a difference, and who to ask about the baseline.
+std::string difference(const Comparison& c) {
+  std::string text = std::to_string(c.pixels_over) + " of " + std::to_string(c.pixels) + " pixels are over";
+  if (c.non_finite > 0) text += ", " + std::to_string(c.non_finite) + " of them are not finite";
+  double error = 0;
+  for (std::size_t i = 0; i < c.worst.test.size(); ++i) {
+    error = std::max(
+        error, std::abs(static_cast<double>(c.worst.test[i]) - static_cast<double>(c.worst.reference[i])));
+  }
+  text += "; worst pixel " + at(c.worst.x, c.worst.y) + ": ours " + components(c.worst.test.data()) +
+          ", baseline " + components(c.worst.reference.data());
+  return c.non_finite > 0 ? text : text + ", off by " + number(error);
+}
+
+std::string history(const Baseline& baseline, const std::string& scene_sha256) {
+  std::string text = "\nbaseline approved by " + baseline.who + ", " + baseline.when + ": " + baseline.why;
+  if (baseline.scene_sha256 != scene_sha256) text += "\nthe scene file has changed since";
+  return text;
+}
+
+/// A scene without a baseline differs from what was approved: nothing.
+void judge_new(const Baselines& baselines, RegressedScene& scene) {
+  if (fs::exists(baselines.image_path(scene.name))) {
+    throw std::runtime_error(baselines.image_path(scene.name) +
+                             ": has no record in baselines.json; bring it back, or approve the scene anew");
+  }
+  scene.result.status = Status::differ;
+  scene.result.message = "new: there is no baseline yet";
+  scene.result.comparison.pixels = scene.image->rgb.size() / 3;
+}
+
+void judge_image(const Baselines& baselines, const RegressOptions& options, const Scene& read,
+                 RegressedScene& scene) {
+  const Baseline* const baseline = baselines.find(scene.name);
+  SceneResult& result = scene.result;
+  if (baseline == nullptr) return judge_new(baselines, scene);
+  scene.baseline = baselines.load(*baseline);
+  const std::string asked = history(*baseline, sha256(read_text_file(result.scene)));
+  if (baseline->width != result.width || baseline->height != result.height) {
+    result.status = Status::differ;
+    result.comparison.pixels = result.comparison.pixels_over = scene.image->rgb.size() / 3;
+    result.message = "the size is " + size_text(result.width, result.height) + ", of the baseline " +
+                     size_text(baseline->width, baseline->height) + asked;
+    return;
+  }
+  const AttributionJob job{read,         camera_of(read, options), options.render, *scene.baseline,
+                           *scene.image, options.tolerance};
+  judge(job, result);
+  if (options.keeps_pictures) result.pictures = pictures_of(job, result.comparison, result.budget);
+  if (result.status == Status::differ) {
+    const std::string explained = result.message.empty() ? "" : "; " + result.message;
+    result.message = difference(result.comparison) + explained + asked;
+  }
+}
+
+void judge_scene(const Baselines& baselines, const RegressOptions& options, RegressedScene& scene) {
+  SceneResult& result = scene.result;
+  const Scene read = load_scene(result.scene, options.dialect);
+  const std::clock_t before = std::clock();
+  scene.image = rendered(read, options);
+  result.seconds_ours = static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC;
+  result.width = scene.image->width;
+  result.height = scene.image->height;
+  judge_image(baselines, options, read, scene);
+  if (result.status != Status::differ) return;
+  const std::string complaint = non_finite_pixels(*scene.image);
+  scene.can_be_approved = complaint.empty();
+  if (!complaint.empty()) result.message += "\ncannot be approved: " + complaint;
+}
+
+RegressedScene judged(const Baselines& baselines, const RegressOptions& options, const std::string& directory,
+                      const std::string& name) {
+  using Clock = std::chrono::steady_clock;
+  RegressedScene scene;
+  scene.name = name;
+  scene.result.scene = scene_path(directory, name);
+  const auto begin = Clock::now();
+  try {
+    judge_scene(baselines, options, scene);
+  } catch (const std::exception& error) {
+    scene.result.status = Status::error;
+    scene.result.message = error.what();
+  }
+  scene.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+  return scene;
+}
+
+/// A gate that checks less than was approved is trouble: nobody would notice.
+RegressedScene orphan(const Baselines& baselines, const std::string& directory, const std::string& name) {
+  RegressedScene scene{name, {}, 0, true, {}, {}};
+  scene.result.scene = scene_path(directory, name);
+  scene.result.message = "THE SCENE IS GONE, its baseline " + baselines.image_path(name) +
+                         " is there: bring the scene back, or approve that it is gone";
+  return scene;
+}
+
+}  // namespace
+
+std::string baselines_of(const std::string& directory) {
+  return (fs::path(directory) / "baselines").string();
+}
+
+std::string scene_path(const std::string& directory, const std::string& name) {
+  return (fs::path(directory) / (name + ".sdf")).string();
+}
+
+std::vector<std::string> scene_names(const std::string& directory) {
+  if (!fs::is_directory(directory))
+    throw std::runtime_error(directory + ": found no such directory, expected one with scenes, *.sdf");
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(directory)) {
+    const fs::path file = entry.path().filename();
+    if (file.extension() == ".sdf" && file.native().front() != '.' && !entry.is_directory())
+      names.push_back(file.stem().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+Image rendered(const Scene& scene, const RegressOptions& options) {
+  const RenderRequest& request = scene.renders.front();
+  textbook::RenderJob job;
+  job.width = options.size ? options.size->width : request.width;
+  job.height = options.size ? options.size->height : request.height;
+  job.options = options.render;
+  job.real = options.real;
+  job.threads = options.threads;
+  job.progress = options.progress;
+  return textbook::render(scene, camera_of(scene, options), job);
+}
+
+std::string non_finite_pixels(const Image& image) {
+  std::size_t count = 0;
+  std::string first;
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) {
+      const float* const p = image.pixel(x, y);
+      if (std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2])) continue;
+      if (count++ == 0) first = at(x, y) + ": " + components(p);
+    }
+  }
+  return count == 0 ? "" : std::to_string(count) + " pixels are not finite, the first " + first;
+}
+
+std::vector<RegressedScene> regress(const std::string& directory, const RegressOptions& options,
+                                    const std::function<void(const RegressedScene&)>& done) {
+  const std::vector<std::string> names = scene_names(directory);
+  if (names.empty()) throw std::runtime_error(directory + ": found no scene, expected *.sdf");
+  const Baselines baselines(baselines_of(directory));
+  std::vector<RegressedScene> scenes;
+  const auto finish = [&](RegressedScene scene) {
+    if (done) done(scene);
+    scene.image.reset();
+    scene.baseline.reset();
+    scene.result.pictures.reset();
+    scenes.push_back(std::move(scene));
+  };
+  for (const std::string& name : names) finish(judged(baselines, options, directory, name));
+  for (const std::string& name : baselines.names()) {
+    if (!is_among(names, name)) finish(orphan(baselines, directory, name));
+  }
+  return scenes;
+}
+
+}  // namespace plumb::references
