@@ -1,7 +1,9 @@
 #include <cstdio>
 #include <memory>
+#include <optional>
 
 #include "references/cli/commands.hpp"
+#include "references/cli/metrics.hpp"
 #include "references/cli/options.hpp"
 #include "references/cli/report.hpp"
 #include "references/comparison.hpp"
@@ -15,6 +17,7 @@ struct Options {
   std::string test;
   std::string json;
   double tolerance = 1e-6;
+  bool metrics = false;
 };
 
 void refuse_if_unlike(const Options& options, const ImageFile& reference, const ImageFile& test) {
@@ -38,13 +41,23 @@ std::string components(const std::vector<float>& values) {
   return text;
 }
 
-void print(const references::Comparison& c) {
+void print(const references::Comparison& c, const std::optional<references::Metrics>& metrics) {
   if (c.non_finite > 0) std::printf("not finite   %zu pixels\n", c.non_finite);
   std::printf("max error    %.9g\nmean error   %.9g\nRMS error    %.9g\npixels over  %zu of %zu\n",
               c.max_error, c.mean_error, c.rms_error, c.pixels_over, c.pixels);
   std::printf("worst pixel  (%d, %d): test %s, reference %s\n", c.worst.x, c.worst.y,
               components(c.worst.test).c_str(), components(c.worst.reference).c_str());
+  if (metrics) std::fputs(metrics_table(*metrics).c_str(), stdout);
   std::printf("%s\n", c.agrees() ? "agree" : "differ");
+}
+
+references::Metrics metrics_of(const ImageFile& reference, const ImageFile& test) {
+  const auto view = [](const ImageFile& i) {
+    return references::PictureView{i.width, i.height, i.channels, i.values.data()};
+  };
+  const bool is_srgb = reference.sample == Sample::bits8 && test.sample == Sample::bits8;
+  return references::all_metrics(view(reference), view(test),
+                                 is_srgb ? references::ColourSpace::srgb : references::ColourSpace::linear);
 }
 
 int run_compare(const Options& options) {
@@ -53,7 +66,9 @@ int run_compare(const Options& options) {
   refuse_if_unlike(options, reference, test);
   const auto c = references::compare(test.width, test.height, test.channels, reference.values, test.values,
                                      options.tolerance);
-  if (options.json != "-") print(c);
+  std::optional<references::Metrics> metrics;
+  if (options.metrics) metrics = metrics_of(reference, test);
+  if (options.json != "-") print(c, metrics);
   if (!options.json.empty()) {
     Json json{{"tool", "plumb"},
               {"version", PLUMB_VERSION},
@@ -65,6 +80,7 @@ int run_compare(const Options& options) {
               {"height", test.height}};
     json.update(to_json(c));
     json["worst"]["test"] = c.worst.test;
+    if (metrics) json["metrics"] = to_json(*metrics);
     write_json(options.json, json);
   }
   return c.agrees() ? exit_agrees : exit_differs;
@@ -79,12 +95,13 @@ Command add_compare(CLI::App& plumb) {
   app->add_option("REFERENCE", options->reference, "image that is taken to be right")->required();
   app->add_option("TEST", options->test, "image to be judged")->required();
   add_tolerance(*app, options->tolerance);
+  app->add_flag("--metrics", options->metrics, "also PSNR, percentiles, bias, SSIM and FLIP");
   app->add_option("--json", options->json, "write the results as JSON; - is standard output")
       ->type_name("FILE");
   app->footer(
       "Example: plumb compare reference.exr mine.exr --tolerance 0.001\n"
-      "Values are compared as they stand in the files; 8 and 16 bits count from 0 to 1.\n"
-      "Exit codes: 0 agree, 1 differ, 2 trouble.");
+      "Values are compared as they stand in the files; 8 and 16 bits count from 0 to 1.\n" +
+      std::string(metrics_help) + "\nExit codes: 0 agree, 1 differ, 2 trouble.");
   return {app, [options] { return run_compare(*options); }};
 }
 

@@ -28,6 +28,14 @@ std::string indented(const std::string& message) {
   return text;
 }
 
+Json flip_json(const references::Flip& flip) {
+  Json json{{"kind", flip.exposures ? "HDR" : "LDR"}, {"mean", flip.mean}, {"max", flip.max}};
+  if (const auto& e = flip.exposures) {
+    json["exposures"] = {{"start", e->start}, {"stop", e->stop}, {"count", e->count}};
+  }
+  return json;
+}
+
 Json scene_json(const SceneResult& r) {
   Json json{{"scene", r.scene},
             {"status", to_string(r.status)},
@@ -52,6 +60,20 @@ Json to_json(const references::Comparison& c) {
           {"non_finite", c.non_finite},
           {"worst",
            {{"x", c.worst.x}, {"y", c.worst.y}, {"ours", c.worst.test}, {"reference", c.worst.reference}}}};
+}
+
+Json to_json(const references::Metrics& m) {
+  Json json{{"peak", m.peak}, {"psnr_db", m.psnr_db ? Json(*m.psnr_db) : Json()}};
+  for (std::size_t i = 0; i < m.percentiles.size(); ++i) {
+    const std::size_t permille = references::permilles[i];
+    const std::string name =
+        "p" + std::to_string(permille / 10) + (permille % 10 ? "." + std::to_string(permille % 10) : "");
+    json["percentiles"][name] = m.percentiles[i];
+  }
+  json["bias"] = m.bias;
+  json["ssim"] = m.ssim ? Json(*m.ssim) : Json();
+  json["flip"] = m.flip ? flip_json(*m.flip) : Json();
+  return json;
 }
 
 Json to_json(const references::VerifyReport& report) {

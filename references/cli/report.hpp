@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "references/metrics/metrics.hpp"
 #include "references/verify.hpp"
 
 namespace plumb::cli {
@@ -12,6 +13,9 @@ using Json = nlohmann::ordered_json;
 
 /// max_error, mean_error, rms_error, pixels_over, non_finite, worst
 Json to_json(const references::Comparison& comparison);
+
+/// peak, psnr_db, percentiles, bias; ssim and flip when they were computed. What does not exist is null.
+Json to_json(const references::Metrics& metrics);
 
 Json to_json(const references::VerifyReport& report);
 

@@ -22,9 +22,13 @@ const std::map<std::string, std::set<std::string>>& allowed() {
       {"tracer/image", {}},
       {"tracer/textbook", {"tracer/formulas", "tracer/scene", "tracer/image"}},
       {"exporters", {"tracer/formulas", "tracer/scene"}},
-      {"references", {"tracer/formulas", "tracer/scene", "tracer/image", "tracer/textbook", "exporters"}},
+      {"references/metrics", {}},
+      {"references",
+       {"tracer/formulas", "tracer/scene", "tracer/image", "tracer/textbook", "exporters",
+        "references/metrics"}},
       {"references/cli",
-       {"tracer/formulas", "tracer/scene", "tracer/image", "tracer/textbook", "exporters", "references"}}};
+       {"tracer/formulas", "tracer/scene", "tracer/image", "tracer/textbook", "exporters", "references",
+        "references/metrics"}}};
   return table;
 }
 

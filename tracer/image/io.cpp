@@ -53,7 +53,7 @@ std::vector<float> as_floats(const std::vector<std::uint8_t>& bytes) {
 }
 
 void write_through_oiio(const std::string& path, const Image& image, Encoding encoding) {
-  oiio::Pixels pixels{image.width, image.height, 3, {}};
+  ImageFile pixels{image.width, image.height, 3, Sample::float32, {}};
   oiio::Depth depth = oiio::Depth::float32;
   if (encoding == Encoding::linear) {
     pixels.values = image.rgb;
@@ -110,10 +110,10 @@ ImageFile read_image(const std::string& path) {
   if (kind == std::filesystem::file_type::directory) {
     throw std::runtime_error(path + ": is a directory, expected an image");
   }
-  oiio::Pixels pixels;
+  ImageFile pixels;
   const std::string complaint = symbol<oiio::Read>(oiio::read_symbol)(path, pixels);
   if (!complaint.empty()) throw std::runtime_error(path + ": cannot be read: " + complaint);
-  return {pixels.width, pixels.height, pixels.channels, std::move(pixels.values)};
+  return pixels;
 }
 
 }  // namespace plumb

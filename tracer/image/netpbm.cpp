@@ -123,6 +123,7 @@ ImageFile from_ppm(std::string_view bytes, const std::string& name) {
   ImageFile file = sized(tokens, 3);
   const int most = tokens.number<int>();
   if (most < 1 || most > 65535) tokens.fail("its largest value is out of range");
+  file.sample = most > 255 ? Sample::bits16 : Sample::bits8;
   file.values.reserve(value_count(file));
   if (magic == "P3") {
     for (std::size_t i = 0; i < value_count(file); ++i) {
