@@ -76,6 +76,22 @@ Json to_json(const references::Metrics& m) {
   return json;
 }
 
+Json to_json(const references::LikelyCause& c) {
+  return {{"name", c.name},
+          {"text", c.text},
+          {"pixels_over", c.pixels_over},
+          {"removed", c.removed},
+          {"because", c.because}};
+}
+
+std::string cause_text(const references::LikelyCause& c) {
+  if (!c.because.empty())
+    return formatted("%s (then 0 pixels over, because %s)", c.text.c_str(), c.because.c_str());
+  std::string text = formatted("%s (then %zu pixels over", c.text.c_str(), c.pixels_over);
+  if (c.pixels_over > 0) text += formatted(", %.4g %% of the squared error gone", 100 * c.removed);
+  return text + ")";
+}
+
 Json to_json(const references::VerifyReport& report) {
   Json scenes = Json::array();
   for (const SceneResult& result : report.scenes) scenes.push_back(scene_json(result));

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "references/metrics/metrics.hpp"
+#include "references/mismatch.hpp"
 #include "references/verify.hpp"
 
 namespace plumb::cli {
@@ -16,6 +17,11 @@ Json to_json(const references::Comparison& comparison);
 
 /// peak, psnr_db, percentiles, bias; ssim and flip when they were computed. What does not exist is null.
 Json to_json(const references::Metrics& metrics);
+
+/// name, text, pixels_over, removed, because
+Json to_json(const references::LikelyCause& cause);
+/// E.g. "rows are flipped (then 0 pixels over)".
+std::string cause_text(const references::LikelyCause& cause);
 
 Json to_json(const references::VerifyReport& report);
 

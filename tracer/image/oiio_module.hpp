@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "tracer/image/netpbm.hpp"
+#include "tracer/image/image_file.hpp"
 
 namespace plumb::oiio {
 
