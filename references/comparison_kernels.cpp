@@ -1,6 +1,7 @@
 #include "references/comparison_kernels.hpp"
 
 #undef HWY_TARGET_INCLUDE
+#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SSE4 | HWY_AVX3_DL)
 #define HWY_TARGET_INCLUDE "references/comparison_kernels.cpp"
 #include <hwy/foreach_target.h>
 //
@@ -10,6 +11,8 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+
+#include "references/metrics/processor.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace plumb::references::comparison_kernels::HWY_NAMESPACE {
@@ -149,11 +152,10 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace plumb::references::comparison_kernels {
 
-HWY_EXPORT(add_target);
-
 void add(Tally& tally, const std::byte* reference, const std::byte* test, std::size_t pixels, int channels,
          double tolerance, std::size_t first) {
-  HWY_DYNAMIC_DISPATCH(add_target)(tally, reference, test, pixels, channels, tolerance, first);
+  chosen(HWY_STATIC_DISPATCH(add_target), N_AVX2::add_target, N_AVX3::add_target)(
+      tally, reference, test, pixels, channels, tolerance, first);
 }
 
 }  // namespace plumb::references::comparison_kernels

@@ -125,8 +125,7 @@ class Trial {
       if (other < 0 || other >= reference_.height) continue;
       reference_.copy_row(y, r_.data());
       test_.copy_row(other, t_.data());
-      if (!add_row(h, rest)) return std::nullopt;
-      if (h.because.empty() && rest.squares > most_squares) return std::nullopt;
+      if (!add_row(h, most_squares, rest)) return std::nullopt;
     }
     return rest;
   }
@@ -157,11 +156,11 @@ class Trial {
     return (i - in_full) % (rounds - 1) * rows_apart + full + (i - in_full) / (rounds - 1);
   }
 
-  bool add_row(const Hypothesis& h, Rest& rest) {
+  bool add_row(const Hypothesis& h, double most_squares, Rest& rest) {
     for (int x = 0; x < reference_.width; ++x) {
       const int other = (h.mirrors_columns ? reference_.width - 1 - x : x) + h.dx;
       if (other < 0 || other >= reference_.width) continue;
-      if (!add_pixel(h, x, other, rest)) return false;
+      if (!add_pixel(h, x, other, rest) || rest.squares > most_squares) return false;
     }
     return true;
   }

@@ -1,6 +1,7 @@
 #include "references/metrics/flip_kernels.hpp"
 
 #undef HWY_TARGET_INCLUDE
+#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SSE4 | HWY_AVX3_DL)
 #define HWY_TARGET_INCLUDE "references/metrics/flip_kernels.cpp"
 #include <hwy/foreach_target.h>
 //
@@ -10,6 +11,7 @@
 #include <algorithm>
 
 #include "references/metrics/flip_model.hpp"
+#include "references/metrics/processor.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace plumb::references::flip_kernels::HWY_NAMESPACE {
@@ -215,9 +217,6 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace plumb::references::flip_kernels {
 
-HWY_EXPORT(to_opponent_row);
-HWY_EXPORT(raise_errors_target);
-
 Opponent to_opponent(const PictureView& picture, ColourSpace space, float exposure) {
   Opponent planes;
   planes.width = static_cast<std::size_t>(picture.width);
@@ -226,22 +225,24 @@ Opponent to_opponent(const PictureView& picture, ColourSpace space, float exposu
   for (std::vector<float>& plane : planes.planes) plane.resize(planes.stride * planes.height);
   std::vector<float> rgb(3 * planes.stride);
   const bool is_grey = picture.channels < 3;
+  const auto to_row =
+      chosen(HWY_STATIC_DISPATCH(to_opponent_row), N_AVX2::to_opponent_row, N_AVX3::to_opponent_row);
   for (std::size_t y = 0; y < planes.height; ++y) {
     for (std::size_t x = 0; x < planes.width; ++x) {
       const float* const from = picture.pixel(y * planes.width + x);
       for (std::size_t c = 0; c < 3; ++c) rgb[3 * x + c] = from[is_grey ? 0 : c];
     }
     const std::size_t at = y * planes.stride;
-    HWY_DYNAMIC_DISPATCH(to_opponent_row)
-    (rgb.data(), planes.width, space, exposure, &planes.planes[0][at], &planes.planes[1][at],
-     &planes.planes[2][at]);
+    to_row(rgb.data(), planes.width, space, exposure, &planes.planes[0][at], &planes.planes[1][at],
+           &planes.planes[2][at]);
   }
   return planes;
 }
 
 void raise_errors(const Opponent& reference, const Opponent& test, std::size_t first, std::size_t last,
                   float* errors) {
-  HWY_DYNAMIC_DISPATCH(raise_errors_target)(reference, test, first, last, errors);
+  chosen(HWY_STATIC_DISPATCH(raise_errors_target), N_AVX2::raise_errors_target, N_AVX3::raise_errors_target)(
+      reference, test, first, last, errors);
 }
 
 }  // namespace plumb::references::flip_kernels
