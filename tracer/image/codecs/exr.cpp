@@ -41,7 +41,7 @@ class Exr {
     constexpr std::int64_t most = 1 << 20;
     const std::int64_t width = std::int64_t{window.max.x} - window.min.x + 1;
     const std::int64_t height = std::int64_t{window.max.y} - window.min.y + 1;
-    if (width < 1 || height < 1 || width > most || height > most || width * height > (most << 10))
+    if (width < 1 || height < 1 || width > most || height > most || width * height > (most << 8))
       return false;
     rows.width = static_cast<int>(width);
     rows.height = static_cast<int>(height);

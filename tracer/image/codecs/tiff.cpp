@@ -21,8 +21,13 @@ Value field(TIFF* file, std::uint32_t tag) {
   return value;
 }
 
+/// Without alpha, which OpenImageIO may multiply by, and not from white to black.
 bool is_plain_float(TIFF* file) {
-  return !TIFFIsTiled(file) && field<std::uint16_t>(file, TIFFTAG_BITSPERSAMPLE) == 32 &&
+  const auto meaning = field<std::uint16_t>(file, TIFFTAG_PHOTOMETRIC);
+  const auto channels = field<std::uint16_t>(file, TIFFTAG_SAMPLESPERPIXEL);
+  const bool is_known =
+      (meaning == PHOTOMETRIC_RGB && channels == 3) || (meaning == PHOTOMETRIC_MINISBLACK && channels == 1);
+  return is_known && !TIFFIsTiled(file) && field<std::uint16_t>(file, TIFFTAG_BITSPERSAMPLE) == 32 &&
          field<std::uint16_t>(file, TIFFTAG_SAMPLEFORMAT) == SAMPLEFORMAT_IEEEFP &&
          field<std::uint16_t>(file, TIFFTAG_COMPRESSION) == COMPRESSION_NONE &&
          field<std::uint16_t>(file, TIFFTAG_PLANARCONFIG) == PLANARCONFIG_CONTIG &&
@@ -50,7 +55,7 @@ bool open_tiff(const std::string& path, PixelRows& rows) {
   const auto height = field<std::uint32_t>(file.get(), TIFFTAG_IMAGELENGTH);
   const auto channels = field<std::uint16_t>(file.get(), TIFFTAG_SAMPLESPERPIXEL);
   constexpr std::uint32_t most = 1 << 20;
-  if (width > most || height > most || channels == 0) return false;
+  if (width > most || height > most) return false;
   const std::uint64_t row_bytes = std::uint64_t{width} * channels * sizeof(float);
   const std::uint64_t first = first_pixel(file.get(), row_bytes, height);
   const auto mapped = std::make_shared<const MappedFile>(path);
