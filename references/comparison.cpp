@@ -2,81 +2,97 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <stdexcept>
+
+#include "references/comparison_kernels.hpp"
 
 namespace plumb::references {
 namespace {
 
 double allowed(double reference, double tolerance) { return tolerance * std::max(1.0, std::abs(reference)); }
 
-/// What the components of one pixel say together.
-struct PixelError {
-  bool is_finite = true;
-  bool is_over = false;
-  double worst = 0;  // in units of what is allowed at tolerance 1
-};
-
-PixelError pixel_error(const float* reference, const float* test, int channels, double tolerance) {
-  PixelError error;
+bool is_within(const float* reference, const float* test, int channels, double tolerance) {
   for (int c = 0; c < channels; ++c) {
-    if (!std::isfinite(reference[c]) || !std::isfinite(test[c])) return {false, true, INFINITY};
+    if (!std::isfinite(reference[c]) || !std::isfinite(test[c])) return false;
     const double difference = std::abs(static_cast<double>(test[c]) - static_cast<double>(reference[c]));
-    error.is_over = error.is_over || difference > allowed(reference[c], tolerance);
-    error.worst = std::max(error.worst, difference / allowed(reference[c], 1));
+    if (difference > allowed(reference[c], tolerance)) return false;
   }
-  return error;
+  return true;
 }
 
-PixelPair pair_at(std::size_t pixel, int width, int channels, const float* reference, const float* test) {
-  const auto w = static_cast<std::size_t>(width);
-  return {static_cast<int>(pixel % w), static_cast<int>(pixel / w), std::vector<float>(test, test + channels),
-          std::vector<float>(reference, reference + channels)};
+std::vector<float> pixel_at(const PixelRows& rows, int x, int y) {
+  std::vector<float> row(rows.row_values());
+  rows.copy_row(y, row.data());
+  const auto at = row.begin() + static_cast<std::ptrdiff_t>(x) * rows.channels;
+  return {at, at + rows.channels};
+}
+
+Comparison comparison_of(const comparison_kernels::Tally& tally, const PixelRows& reference,
+                         const PixelRows& test) {
+  Comparison result;
+  const auto width = static_cast<std::size_t>(reference.width);
+  result.pixels = width * static_cast<std::size_t>(reference.height);
+  result.non_finite = tally.non_finite;
+  result.pixels_over = tally.pixels_over;
+  result.max_error = tally.max_error;
+  result.judged_error = tally.judged_error;
+  const auto finite =
+      static_cast<double>((result.pixels - tally.non_finite) * static_cast<std::size_t>(reference.channels));
+  if (finite > 0) {
+    result.mean_error = tally.sum / finite;
+    result.rms_error = std::sqrt(tally.sum_of_squares / finite);
+  }
+  if (result.pixels == 0) return result;
+  result.worst.x = static_cast<int>(tally.worst_pixel % width);
+  result.worst.y = static_cast<int>(tally.worst_pixel / width);
+  result.worst.test = pixel_at(test, result.worst.x, result.worst.y);
+  result.worst.reference = pixel_at(reference, result.worst.x, result.worst.y);
+  return result;
+}
+
+/// The rows are not kept.
+PixelRows rows_over(int width, int height, int channels, const std::vector<float>& values) {
+  PixelRows rows;
+  rows.width = width;
+  rows.height = height;
+  rows.channels = channels;
+  rows.top = reinterpret_cast<const std::byte*>(values.data());
+  rows.stride = static_cast<std::ptrdiff_t>(rows.row_values() * sizeof(float));
+  return rows;
 }
 
 }  // namespace
 
-Comparison compare(int width, int height, int channels, const std::vector<float>& reference,
-                   const std::vector<float>& test, double tolerance) {
+Comparison compare(const PixelRows& reference, const PixelRows& test, double tolerance) {
   if (!(tolerance >= 0) || !std::isfinite(tolerance))
     throw std::invalid_argument("expected a finite tolerance >= 0");
-  Comparison result;
-  result.pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-  const auto step = static_cast<std::size_t>(channels);
-  if (reference.size() != result.pixels * step || test.size() != reference.size()) {
+  comparison_kernels::Tally tally;
+  std::vector<float> reference_scratch;
+  std::vector<float> test_scratch;
+  const auto width = static_cast<std::size_t>(reference.width);
+  const bool are_bytes = reference.is_bytes && test.is_bytes;
+  for (int y = 0; y < reference.height; ++y) {
+    // Equal bytes are finite and differ by nothing; the first row makes sure that some pixel is the worst.
+    if (are_bytes && y > 0 && std::memcmp(reference.row(y), test.row(y), reference.row_values()) == 0)
+      continue;
+    comparison_kernels::add(tally, reference.floats(y, reference_scratch), test.floats(y, test_scratch),
+                            width, reference.channels, tolerance, static_cast<std::size_t>(y) * width);
+  }
+  return comparison_of(tally, reference, test);
+}
+
+Comparison compare(int width, int height, int channels, const std::vector<float>& reference,
+                   const std::vector<float>& test, double tolerance) {
+  const auto expected =
+      static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * static_cast<std::size_t>(channels);
+  if (reference.size() != expected || test.size() != expected) {
     throw std::invalid_argument("the pictures do not have " + std::to_string(width) + " x " +
                                 std::to_string(height) + " pixels of " + std::to_string(channels) +
                                 " channels");
   }
-  double worst = -1;
-  double sum = 0;
-  double sum_of_squares = 0;
-  for (std::size_t pixel = 0; pixel < result.pixels; ++pixel) {
-    const float* const r = reference.data() + pixel * step;
-    const float* const t = test.data() + pixel * step;
-    const PixelError error = pixel_error(r, t, channels, tolerance);
-    result.pixels_over += error.is_over ? 1 : 0;
-    if (error.worst > worst) {
-      worst = error.worst;
-      result.worst = pair_at(pixel, width, channels, r, t);
-    }
-    if (!error.is_finite) {
-      ++result.non_finite;
-      continue;
-    }
-    result.judged_error = std::max(result.judged_error, error.worst);
-    for (std::size_t c = 0; c < step; ++c) {
-      const double difference = std::abs(static_cast<double>(t[c]) - static_cast<double>(r[c]));
-      result.max_error = std::max(result.max_error, difference);
-      sum += difference;
-      sum_of_squares += difference * difference;
-    }
-  }
-  const auto finite = static_cast<double>((result.pixels - result.non_finite) * step);
-  if (finite > 0) {
-    result.mean_error = sum / finite;
-    result.rms_error = std::sqrt(sum_of_squares / finite);
-  }
-  return result;
+  return compare(rows_over(width, height, channels, reference), rows_over(width, height, channels, test),
+                 tolerance);
 }
 
 Comparison compare(const Image& reference, const Image& test, double tolerance) {
@@ -89,7 +105,7 @@ Comparison compare(const Image& reference, const Image& test, double tolerance) 
 }
 
 bool is_within(const float* reference, const float* test, double tolerance) {
-  return !pixel_error(reference, test, 3, tolerance).is_over;
+  return is_within(reference, test, 3, tolerance);
 }
 
 std::vector<PixelPlace> pixels_over(const Image& reference, const Image& test, double tolerance) {

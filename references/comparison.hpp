@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tracer/image/image.hpp"
+#include "tracer/image/pixel_rows.hpp"
 
 namespace plumb::references {
 
@@ -38,6 +39,9 @@ struct Comparison {
 Comparison compare(const Image& reference, const Image& test, double tolerance);
 Comparison compare(int width, int height, int channels, const std::vector<float>& reference,
                    const std::vector<float>& test, double tolerance);
+
+/// The same, row by row, for pictures that lie in files.
+Comparison compare(const PixelRows& reference, const PixelRows& test, double tolerance);
 
 /// Places of the pixels that are over, row by row.
 struct PixelPlace {

@@ -9,6 +9,7 @@
 
 #include "references/attribution.hpp"
 #include "references/comparison.hpp"
+#include "references/metrics/metrics.hpp"
 #include "references/pictures.hpp"
 #include "references/terms.hpp"
 #include "tracer/scene/dialect.hpp"
@@ -59,6 +60,7 @@ struct SceneResult {
   int width = 0;
   int height = 0;
   Comparison comparison;
+  Metrics metrics;  ///< the cheap ones
   Budget budget;
   std::vector<TermResult> terms;  ///< those that the scene has, when they were asked for
   double seconds_ours = 0;        ///< of CPU time
@@ -67,8 +69,8 @@ struct SceneResult {
   std::shared_ptr<const Pictures> pictures;  ///< when they are kept, and it was rendered
 };
 
-/// Compares the pictures, attributes every pixel over, and sets comparison, budget and status; the budget in
-/// words goes to the message. Width and height are set already.
+/// Compares the pictures, attributes every pixel over, and sets comparison, metrics, budget and status; the
+/// budget in words goes to the message. Width and height are set already.
 void judge(const AttributionJob& job, SceneResult& result);
 
 struct VerifyReport {

@@ -28,6 +28,14 @@ std::string indented(const std::string& message) {
   return text;
 }
 
+Json flip_json(const references::Flip& flip) {
+  Json json{{"kind", flip.exposures ? "HDR" : "LDR"}, {"mean", flip.mean}, {"max", flip.max}};
+  if (const auto& e = flip.exposures) {
+    json["exposures"] = {{"start", e->start}, {"stop", e->stop}, {"count", e->count}};
+  }
+  return json;
+}
+
 }  // namespace
 
 Json scene_json(const SceneResult& r) {
@@ -37,6 +45,7 @@ Json scene_json(const SceneResult& r) {
             {"width", r.width},
             {"height", r.height}};
   json.update(plumb::cli::to_json(r.comparison));
+  json["metrics"] = plumb::cli::to_json(r.metrics);
   json["budget"] = plumb::cli::to_json(r.budget);
   json["shapes"] = r.budget.shapes;
   for (const references::TermResult& t : r.terms) {
@@ -67,6 +76,36 @@ Json to_json(const references::Comparison& c) {
           {"non_finite", c.non_finite},
           {"worst",
            {{"x", c.worst.x}, {"y", c.worst.y}, {"ours", c.worst.test}, {"reference", c.worst.reference}}}};
+}
+
+Json to_json(const references::Metrics& m) {
+  Json json{{"peak", m.peak}, {"psnr_db", m.psnr_db ? Json(*m.psnr_db) : Json()}};
+  for (std::size_t i = 0; i < m.percentiles.size(); ++i) {
+    const std::size_t permille = references::permilles[i];
+    const std::string name =
+        "p" + std::to_string(permille / 10) + (permille % 10 ? "." + std::to_string(permille % 10) : "");
+    json["percentiles"][name] = m.percentiles[i];
+  }
+  json["bias"] = m.bias;
+  json["ssim"] = m.ssim ? Json(*m.ssim) : Json();
+  json["flip"] = m.flip ? flip_json(*m.flip) : Json();
+  return json;
+}
+
+Json to_json(const references::LikelyCause& c) {
+  return {{"name", c.name},
+          {"text", c.text},
+          {"pixels_over", c.pixels_over},
+          {"removed", c.removed},
+          {"because", c.because}};
+}
+
+std::string cause_text(const references::LikelyCause& c) {
+  if (!c.because.empty())
+    return formatted("%s (then 0 pixels over, because %s)", c.text.c_str(), c.because.c_str());
+  std::string text = formatted("%s (then %zu pixels over", c.text.c_str(), c.pixels_over);
+  if (c.pixels_over > 0) text += formatted(", %.4g %% of the squared error gone", 100 * c.removed);
+  return text + ")";
 }
 
 Json to_json(const references::VerifyReport& report) {

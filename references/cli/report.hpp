@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "references/metrics/metrics.hpp"
+#include "references/mismatch.hpp"
 #include "references/verify.hpp"
 
 namespace plumb::cli {
@@ -18,6 +20,14 @@ Json to_json(const references::Budget& budget);
 
 /// One of the "scenes" of a report.
 Json scene_json(const references::SceneResult& result);
+
+/// peak, psnr_db, percentiles, bias; ssim and flip when they were computed. What does not exist is null.
+Json to_json(const references::Metrics& metrics);
+
+/// name, text, pixels_over, removed, because
+Json to_json(const references::LikelyCause& cause);
+/// E.g. "rows are flipped (then 0 pixels over)".
+std::string cause_text(const references::LikelyCause& cause);
 
 Json to_json(const references::VerifyReport& report);
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <functional>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -256,6 +257,226 @@ TEST_F(Compare, FiguresAreThoseOfIdiff) {
   EXPECT_NEAR(ours.at("mean_error").get<double>() / figure("Mean error"), 1, as_printed);
   EXPECT_NEAR(ours.at("rms_error").get<double>() / figure("RMS error"), 1, as_printed);
   EXPECT_NEAR(ours.at("max_error").get<double>() / figure("Max error"), 1, as_printed);
+}
+
+// --- accidents are caught and named ----------------------------------------------------------------
+
+struct Accident {
+  std::string name;  // of the test and, in snake case, of the cause
+  std::string cause;
+  std::string word;
+  std::function<float(const std::vector<float>& picture, int x, int y, int c)> test;
+};
+void PrintTo(const Accident& accident, std::ostream* out) { *out << accident.name; }
+
+constexpr int wide = 24;
+constexpr int high = 18;
+
+/// Linear colours below and above 1, no two pixels alike.
+std::vector<float> colourful() {
+  std::vector<float> values;
+  for (int i = 0; i < 3 * wide * high; ++i) values.push_back(static_cast<float>(i * 7919 % 1297) / 1000.0F);
+  return values;
+}
+float value_at(const std::vector<float>& picture, int x, int y, int c) {
+  if (x < 0 || y < 0 || x >= wide || y >= high) return 0;
+  return picture[static_cast<std::size_t>(3 * (y * wide + x) + c)];
+}
+float srgb(float v) { return v <= 0.0031308F ? 12.92F * v : 1.055F * std::pow(v, 1 / 2.4F) - 0.055F; }
+float at_most_one(float v) { return std::min(v, 1.0F); }
+
+class Named : public Compare, public testing::WithParamInterface<Accident> {};
+INSTANTIATE_TEST_SUITE_P(
+    Is, Named,
+    testing::ValuesIn(std::vector<Accident>{
+        {"FlippedRows", "rows_flipped", "rows are flipped",
+         [](const auto& p, int x, int y, int c) { return value_at(p, x, high - 1 - y, c); }},
+        {"MirroredColumns", "columns_mirrored", "columns are mirrored",
+         [](const auto& p, int x, int y, int c) { return value_at(p, wide - 1 - x, y, c); }},
+        {"ChannelSwap", "channels_swapped", "BGR",
+         [](const auto& p, int x, int y, int c) { return value_at(p, x, y, 2 - c); }},
+        {"ShiftRight", "shifted", "to the right (",
+         [](const auto& p, int x, int y, int c) { return value_at(p, x - 1, y, c); }},
+        {"ShiftUp", "shifted", "one pixel: up",
+         [](const auto& p, int x, int y, int c) { return value_at(p, x, y + 1, c); }},
+        {"ShiftLeftAndDown", "shifted", "to the left and down",
+         [](const auto& p, int x, int y, int c) { return value_at(p, x + 1, y - 1, c); }},
+        {"GammaEncoded", "srgb_encoded", "gamma-encoded",
+         [](const auto& p, int x, int y, int c) { return srgb(value_at(p, x, y, c)); }},
+        {"ToneMapped", "tone_mapped", "tone-mapped",
+         [](const auto& p, int x, int y, int c) {
+           return value_at(p, x, y, c) / (value_at(p, x, y, c) + 1);
+         }},
+        {"Half", "half", "half floats",
+         [](const auto& p, int x, int y, int c) {
+           // 11 bits, the nearest: the values are normal halves. Ties do not occur.
+           const float v = value_at(p, x, y, c);
+           const float step = std::ldexp(1.0F, v == 0 ? 0 : std::ilogb(v) - 10);
+           return std::round(v / step) * step;
+         }},
+        {"RoundedTo8Bits", "rounded_to_8_bits", "because half a step",
+         [](const auto& p, int x, int y, int c) {
+           return std::round(at_most_one(value_at(p, x, y, c)) * 255) / 255;
+         }},
+        {"TruncatedTo8Bits", "truncated_to_8_bits", "because a step",
+         [](const auto& p, int x, int y, int c) {
+           return std::floor(at_most_one(value_at(p, x, y, c)) * 255) / 255;
+         }},
+        {"GammaEncodedAndRounded", "srgb_encoded_rounded_to_8_bits", "gamma-encoded (sRGB) and rounded",
+         [](const auto& p, int x, int y, int c) {
+           return std::round(srgb(at_most_one(value_at(p, x, y, c))) * 255) / 255;
+         }},
+    }),
+    [](const auto& test) { return test.param.name; });
+
+TEST_P(Named, AndFailsTheComparison) {
+  const std::vector<float> reference = colourful();
+  std::vector<float> test;
+  for (int y = 0; y < high; ++y)
+    for (int x = 0; x < wide; ++x)
+      for (int c = 0; c < 3; ++c) test.push_back(GetParam().test(reference, x, y, c));
+  file("reference.pfm", pfm(wide, high, reference));
+  file("test.pfm", pfm(wide, high, test));
+  const Json json = compare_json("reference.pfm", "test.pfm", {"--tolerance", "1e-5"});
+  EXPECT_EQ(json.at("status"), "differ");
+  ASSERT_TRUE(json.contains("likely_cause"));
+  EXPECT_EQ(json.at("likely_cause").at("name"), GetParam().cause);
+  EXPECT_EQ(json.at("likely_cause").at("pixels_over"), 0);
+  const Outcome outcome = compare("reference.pfm", "test.pfm", {"--tolerance", "1e-5"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_TRUE(contains(outcome.out, "likely cause: ")) << outcome.out;
+  EXPECT_TRUE(contains(outcome.out, GetParam().word)) << outcome.out;
+  EXPECT_TRUE(contains(outcome.out, "(then 0 pixels over")) << outcome.out;
+}
+
+TEST_F(Compare, MostOfTheErrorGoneIsSaidWithWhatIsLeft) {
+  const std::vector<float> reference = colourful();
+  std::vector<float> test;
+  for (int y = 0; y < high; ++y)
+    for (int x = 0; x < wide; ++x)
+      for (int c = 0; c < 3; ++c) test.push_back(value_at(reference, x, high - 1 - y, c));
+  test[5] += 0.25F;
+  file("reference.pfm", pfm(wide, high, reference));
+  file("test.pfm", pfm(wide, high, test));
+  EXPECT_EQ(compare_json("reference.pfm", "test.pfm").at("likely_cause").at("pixels_over"), 1);
+  EXPECT_TRUE(
+      contains(compare("reference.pfm", "test.pfm").out, "rows are flipped (then 1 pixels over, 99.9"));
+}
+
+TEST_F(Compare, OtherDifferencesAreGivenNoCause) {
+  const std::vector<float> reference = colourful();
+  for (const int kind : {0, 1, 2, 3}) {
+    std::vector<float> test = reference;
+    for (std::size_t i = 0; i < test.size(); ++i) {
+      if (kind == 0) test[i] *= 1.01F;
+      if (kind == 1) test[i] += static_cast<float>(i % 5) / 1000;
+      if (kind == 2 && i / 3 % wide == 0) test[i] += 0.5F;  // a column that a shift would lose
+      if (kind == 3 && i == 100) test[i] += 1;
+    }
+    file("reference.pfm", pfm(wide, high, reference));
+    file("test.pfm", pfm(wide, high, test));
+    EXPECT_FALSE(compare_json("reference.pfm", "test.pfm").contains("likely_cause")) << kind;
+  }
+}
+
+TEST_F(Compare, NothingIsNamedWhenThePicturesAgree) {
+  file("a.pfm", pfm(wide, high, colourful()));
+  EXPECT_FALSE(compare_json("a.pfm", "a.pfm").contains("likely_cause"));
+}
+
+TEST_F(Compare, EveryKindOfNonFiniteValueIsCounted) {
+  for (const auto& [r, t] : {std::pair{0.5F, nan},
+                             {nan, 0.5F},
+                             {nan, nan},
+                             {0.5F, infinity},
+                             {0.5F, -infinity},
+                             {infinity, infinity},
+                             {infinity, -infinity},
+                             {-infinity, nan}}) {
+    std::vector<float> reference(3 * 16 * 2, 0.5F), test = reference;
+    reference[43] = r;
+    test[43] = t;
+    file("reference.pfm", pfm(16, 2, reference));
+    file("test.pfm", pfm(16, 2, test));
+    const Json json = compare_json("reference.pfm", "test.pfm", {"--tolerance", "1e30"});
+    EXPECT_EQ(json.at("non_finite"), 1) << r << " " << t;
+    EXPECT_EQ(json.at("pixels_over"), 1) << r << " " << t;
+    EXPECT_EQ(json.at("status"), "differ") << r << " " << t;
+    EXPECT_EQ(json.at("worst").at("x"), 14);
+  }
+}
+
+TEST_F(Compare, TransposedSizesAreNamed) {
+  file("a.pfm", pfm(4, 3, std::vector<float>(36, 0)));
+  file("b.pfm", pfm(3, 4, std::vector<float>(36, 0)));
+  expect_trouble(compare("a.pfm", "b.pfm"), {"b.pfm", "3 x 4", "4 x 3", "likely cause", "transposed"});
+}
+
+TEST_F(Compare, AlphaIsNamed) {
+  const std::string oiiotool = references::find_program("oiiotool");
+  if (oiiotool.empty()) GTEST_SKIP() << "oiiotool (openimageio-tools) is not installed";
+  run_shell("'" + oiiotool + "' --create 5x4 3 -d uint8 -o rgb.png && '" + oiiotool +
+                "' --create 5x4 4 -d uint8 -o rgba.png",
+            workplace_.directory());
+  expect_trouble(compare("rgb.png", "rgba.png"), {"rgba.png", "4 channels", "the test picture has an alpha"});
+  expect_trouble(compare("rgba.png", "rgb.png"), {"rgb.png", "3 channels", "the reference has an alpha"});
+}
+
+// --- metrics ----------------------------------------------------------------------------------------
+
+TEST_F(Compare, MetricsAreToldOnDemand) {
+  file("a.pfm", pfm(wide, high, colourful()));
+  std::vector<float> test = colourful();
+  for (float& v : test) v += 0.125F;
+  file("b.pfm", pfm(wide, high, test));
+  EXPECT_FALSE(compare_json("a.pfm", "b.pfm").contains("metrics"));
+  const Json metrics = compare_json("a.pfm", "b.pfm", {"--metrics"}).at("metrics");
+  EXPECT_NEAR(metrics.at("bias").at(1).get<double>(), 0.125, 1e-6);
+  EXPECT_NEAR(metrics.at("percentiles").at("p99.9").get<double>(), 0.125, 1e-6);
+  EXPECT_EQ(metrics.at("flip").at("kind"), "HDR");
+  const std::string text = compare("a.pfm", "b.pfm", {"--metrics"}).out;
+  for (const char* const name : {"peak", "PSNR", "percentiles", "bias", "SSIM", "FLIP"})
+    EXPECT_TRUE(contains(text, name)) << text;
+}
+
+TEST_F(Compare, EightBitFilesGetLdrFlip) {
+  file("a.ppm", "P3\n1 1\n255\n0 0 0\n");
+  file("b.ppm", "P3\n1 1\n255\n255 255 255\n");
+  const Json flip = compare_json("a.ppm", "b.ppm", {"--metrics"}).at("metrics").at("flip");
+  EXPECT_EQ(flip.at("kind"), "LDR");
+  EXPECT_NEAR(flip.at("mean").get<double>(), 0.96739, 1e-5) << "of black and white, see flip_test.cpp";
+}
+
+// --- files read without OpenImageIO -------------------------------------------------------------------
+
+TEST_F(Compare, QuickFilesAreThoseThatOpenImageIoWrites) {
+  const std::string tool = references::find_program("oiiotool");
+  if (tool.empty()) GTEST_SKIP() << "oiiotool (openimageio-tools) is not installed";
+  file("a.pfm", pfm(wide, high, colourful()));
+  for (const std::string to :
+       {"--compression none -o none.exr", "--compression zip -o zip.exr", "--compression zips -o zips.exr",
+        "--compression piz -o piz.exr", "--compression none -o none.tif", "--compression zip -o zip.tif",
+        "--compression none --scanline --tile 16 16 -o tiled.exr"}) {
+    const auto made = run_shell("'" + tool + "' a.pfm -d float " + to, workplace_.directory());
+    ASSERT_EQ(made.exit_code, 0) << made.output;
+    expect_equal("a.pfm", to.substr(to.rfind(' ') + 1));
+  }
+}
+
+TEST_F(Compare, PngFiltersAreThoseOfOpenImageIo) {
+  const std::string tool = references::find_program("oiiotool");
+  if (tool.empty()) GTEST_SKIP() << "oiiotool (openimageio-tools) is not installed";
+  // The same picture as PNG and as TIFF, which OpenImageIO reads; gradients bring out every filter.
+  for (const std::string channels : {"1", "3"}) {
+    const auto made = run_shell(
+        "'" + tool +
+            "' --pattern fill:topleft=0.1,0.9,0.3,1:topright=0.9,0.2,0.5,0.4:bottomleft=0.3,0.4,1,0.7:" +
+            "bottomright=0,1,0,0.2 67x53 " + channels +
+            " --noise:type=uniform:min=-0.02:max=0.02 -d uint8 -o a.png -o a.tif",
+        workplace_.directory());
+    ASSERT_EQ(made.exit_code, 0) << made.output;
+    expect_equal("a.tif", "a.png", "1e-7");
+  }
 }
 
 // --- what is refused ------------------------------------------------------------------------------

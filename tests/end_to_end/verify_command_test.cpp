@@ -151,7 +151,7 @@ TEST_F(Verify, JsonHasTheDocumentedKeysAndNoOthers) {
   EXPECT_EQ(keys_of(scene),
             (std::set<std::string>{"scene", "status", "message", "width", "height", "max_error",
                                    "judged_error", "mean_error", "rms_error", "pixels_over", "non_finite",
-                                   "worst", "seconds", "cached", "budget", "shapes"}));
+                                   "worst", "seconds", "cached", "metrics", "budget", "shapes"}));
   EXPECT_EQ(keys_of(scene.at("worst")), (std::set<std::string>{"x", "y", "ours", "reference"}));
   EXPECT_EQ(keys_of(scene.at("seconds")), (std::set<std::string>{"ours", "reference"}));
 }

@@ -1,13 +1,14 @@
 #include "tracer/image/io.hpp"
 
-#include <dlfcn.h>
-
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
 #include <stdexcept>
 
+#include "tracer/image/codecs/codecs.hpp"
 #include "tracer/image/files.hpp"
+#include "tracer/image/mapped_file.hpp"
+#include "tracer/image/module.hpp"
 #include "tracer/image/oiio_module.hpp"
 
 namespace plumb {
@@ -26,23 +27,9 @@ bool is_written(const std::string& extension) {
   return is_float_format(extension) || extension == ".png" || extension == ".ppm";
 }
 
-/// The module beside the program.
-std::string module_path() {
-  return (std::filesystem::read_symlink("/proc/self/exe").parent_path() / oiio::module_name).string();
-}
-
-void* loaded_module() {
-  static void* const module = dlopen(module_path().c_str(), RTLD_NOW | RTLD_LOCAL);
-  static const std::string complaint = module == nullptr ? dlerror() : "";
-  if (module == nullptr) throw std::runtime_error("the OpenImageIO module cannot be loaded: " + complaint);
-  return module;
-}
-
 template <class Function>
-Function symbol(const char* name) {
-  void* const found = dlsym(loaded_module(), name);
-  if (found == nullptr) throw std::runtime_error(std::string("the OpenImageIO module has no ") + name);
-  return reinterpret_cast<Function>(found);
+Function oiio_symbol(const char* name) {
+  return reinterpret_cast<Function>(module_symbol(oiio::module_name, name));
 }
 
 std::vector<float> as_floats(const std::vector<std::uint8_t>& bytes) {
@@ -53,7 +40,7 @@ std::vector<float> as_floats(const std::vector<std::uint8_t>& bytes) {
 }
 
 void write_through_oiio(const std::string& path, const Image& image, Encoding encoding) {
-  oiio::Pixels pixels{image.width, image.height, 3, {}};
+  ImageFile pixels{image.width, image.height, 3, Sample::float32, {}};
   oiio::Depth depth = oiio::Depth::float32;
   if (encoding == Encoding::linear) {
     pixels.values = image.rgb;
@@ -63,9 +50,33 @@ void write_through_oiio(const std::string& path, const Image& image, Encoding en
     depth = oiio::Depth::bits8;
   }
   std::string bytes;
-  const std::string complaint = symbol<oiio::Write>(oiio::write_symbol)(path, pixels, depth, bytes);
+  const std::string complaint = oiio_symbol<oiio::Write>(oiio::write_symbol)(path, pixels, depth, bytes);
   if (!complaint.empty()) throw std::runtime_error(path + ": cannot be written: " + complaint);
   write_file(path, bytes);
+}
+
+void expect_file(const std::string& path) {
+  std::error_code error;
+  const auto kind = std::filesystem::status(path, error).type();
+  if (kind == std::filesystem::file_type::not_found)
+    throw std::runtime_error(path + ": there is no such file");
+  if (kind == std::filesystem::file_type::directory)
+    throw std::runtime_error(path + ": is a directory, expected an image");
+}
+
+ImageFile read_through_oiio(const std::string& path) {
+  ImageFile file;
+  const std::string complaint = oiio_symbol<oiio::Read>(oiio::read_symbol)(path, file);
+  if (!complaint.empty()) {
+    throw std::runtime_error(
+        path + ": cannot be read as an image: found neither a whole image of the kind its name " +
+        "says nor of another known one (OpenImageIO: " + complaint + ")");
+  }
+  return file;
+}
+
+bool is_of_codecs(const std::string& extension) {
+  return extension == ".exr" || extension == ".png" || extension == ".tif" || extension == ".tiff";
 }
 
 }  // namespace
@@ -99,21 +110,22 @@ void write_image(const std::string& path, const Image& image, Encoding encoding)
   }
 }
 
-ImageFile read_image(const std::string& path) {
+PixelRows open_image(const std::string& path) {
   const std::string extension = extension_of(path);
-  if (extension == ".pfm") return from_pfm(read_file(path), path);
-  if (extension == ".ppm") return from_ppm(read_file(path), path);
-  std::error_code error;
-  const auto kind = std::filesystem::status(path, error).type();
-  if (kind == std::filesystem::file_type::not_found)
-    throw std::runtime_error(path + ": there is no such file");
-  if (kind == std::filesystem::file_type::directory) {
-    throw std::runtime_error(path + ": is a directory, expected an image");
+  if (extension == ".pfm") {
+    const auto file = std::make_shared<const MappedFile>(path);
+    return pfm_rows(file->bytes(), path, file);
   }
-  oiio::Pixels pixels;
-  const std::string complaint = symbol<oiio::Read>(oiio::read_symbol)(path, pixels);
-  if (!complaint.empty()) throw std::runtime_error(path + ": cannot be read: " + complaint);
-  return {pixels.width, pixels.height, pixels.channels, std::move(pixels.values)};
+  if (extension == ".ppm") return rows_of(from_ppm(read_file(path), path));
+  expect_file(path);
+  if (is_of_codecs(extension)) {
+    const auto open = reinterpret_cast<codecs::Open>(module_symbol(codecs::module_name, codecs::open_symbol));
+    PixelRows rows;
+    if (open(path, rows)) return rows;
+  }
+  return rows_of(read_through_oiio(path));
 }
+
+ImageFile read_image(const std::string& path) { return image_of(open_image(path)); }
 
 }  // namespace plumb

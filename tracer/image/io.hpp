@@ -21,6 +21,10 @@ void write_image(const std::string& path, const Image& image, Encoding encoding)
 /// Values as they stand in the file (no gamma removed). Throws std::runtime_error.
 ImageFile read_image(const std::string& path);
 
+/// The same for looking at row by row. Float PFM, uncompressed float EXR and TIFF stay where they are, mapped
+/// into memory; zip EXR and PNG are read without OpenImageIO. Throws std::runtime_error.
+PixelRows open_image(const std::string& path);
+
 /// Why a path cannot be written as an image in that encoding; nothing when it can.
 std::optional<std::string> complaint_about(const std::string& path, Encoding encoding);
 

@@ -94,26 +94,29 @@ std::string to_ppm(int width, int height, const std::vector<unsigned char>& rgb)
   return text;
 }
 
-ImageFile from_pfm(std::string_view bytes, const std::string& name) {
+PixelRows pfm_rows(std::string_view bytes, const std::string& name, std::shared_ptr<const void> owner) {
   Tokens tokens(bytes, name);
   const std::string_view magic = tokens.word();
   if (magic != "PF" && magic != "Pf") tokens.fail("is no PFM file");
-  ImageFile file = sized(tokens, magic == "PF" ? 3 : 1);
+  const ImageFile file = sized(tokens, magic == "PF" ? 3 : 1);
   const double scale = tokens.number<double>();
   if (scale == 0 || !std::isfinite(scale)) tokens.fail("its scale is 0 or not finite, expected -1 or 1");
   const std::string_view data = tokens.data();
   if (data.size() < value_count(file) * sizeof(float))
     tokens.fail("it ends too early: the file is truncated");
-  file.values.resize(value_count(file));
-  const std::size_t row = static_cast<std::size_t>(file.width) * static_cast<std::size_t>(file.channels);
-  for (std::size_t y = 0; y < static_cast<std::size_t>(file.height); ++y) {
-    const std::size_t from = (static_cast<std::size_t>(file.height) - 1 - y) * row;
-    std::memcpy(file.values.data() + y * row, data.data() + from * sizeof(float), row * sizeof(float));
-  }
-  if (scale > 0) {  // big-endian
-    for (float& v : file.values) v = std::bit_cast<float>(__builtin_bswap32(std::bit_cast<std::uint32_t>(v)));
-  }
-  return file;
+  PixelRows rows;
+  rows.width = file.width;
+  rows.height = file.height;
+  rows.channels = file.channels;
+  rows.is_big_endian = scale > 0;
+  rows.stride = -static_cast<std::ptrdiff_t>(rows.row_values() * sizeof(float));
+  rows.top = reinterpret_cast<const std::byte*>(data.data()) - (file.height - 1) * rows.stride;
+  rows.owner = std::move(owner);
+  return rows;
+}
+
+ImageFile from_pfm(std::string_view bytes, const std::string& name) {
+  return image_of(pfm_rows(bytes, name, nullptr));
 }
 
 ImageFile from_ppm(std::string_view bytes, const std::string& name) {
@@ -123,6 +126,7 @@ ImageFile from_ppm(std::string_view bytes, const std::string& name) {
   ImageFile file = sized(tokens, 3);
   const int most = tokens.number<int>();
   if (most < 1 || most > 65535) tokens.fail("its largest value is out of range");
+  file.sample = most > 255 ? Sample::bits16 : Sample::bits8;
   file.values.reserve(value_count(file));
   if (magic == "P3") {
     for (std::size_t i = 0; i < value_count(file); ++i) {

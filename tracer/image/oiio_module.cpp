@@ -10,13 +10,19 @@ namespace {
 
 namespace lib = OIIO;
 
-lib::ImageSpec spec_for(const Pixels& pixels, Depth depth) {
+lib::ImageSpec spec_for(const ImageFile& pixels, Depth depth) {
   lib::ImageSpec spec(pixels.width, pixels.height, pixels.channels, lib::TypeDesc::FLOAT);
   if (depth == Depth::bits16_linear) spec.format = lib::TypeDesc::UINT16;
   if (depth == Depth::bits8) spec.format = lib::TypeDesc::UINT8;
   spec.attribute("oiio:ColorSpace", depth == Depth::bits8 ? "sRGB" : "Linear");
   spec.attribute("compression", "zip");
   return spec;
+}
+
+Sample sample_of(lib::TypeDesc format) {
+  if (format == lib::TypeDesc::UINT8 || format == lib::TypeDesc::INT8) return Sample::bits8;
+  if (format == lib::TypeDesc::UINT16 || format == lib::TypeDesc::INT16) return Sample::bits16;
+  return format == lib::TypeDesc::HALF ? Sample::half : Sample::float32;
 }
 
 }  // namespace
@@ -30,7 +36,7 @@ extern "C" {
 #pragma GCC diagnostic ignored "-Wreturn-type-c-linkage"
 #endif
 
-std::string plumb_oiio_write(const std::string& name, const plumb::oiio::Pixels& pixels,
+std::string plumb_oiio_write(const std::string& name, const plumb::ImageFile& pixels,
                              plumb::oiio::Depth depth, std::string& bytes) {
   namespace lib = plumb::oiio::lib;
   const auto out = lib::ImageOutput::create(name);
@@ -45,7 +51,7 @@ std::string plumb_oiio_write(const std::string& name, const plumb::oiio::Pixels&
   return {};
 }
 
-std::string plumb_oiio_read(const std::string& path, plumb::oiio::Pixels& pixels) {
+std::string plumb_oiio_read(const std::string& path, plumb::ImageFile& pixels) {
   const auto in = plumb::oiio::lib::ImageInput::open(path);
   if (!in) return plumb::oiio::lib::geterror();
   const auto& spec = in->spec();
@@ -55,6 +61,7 @@ std::string plumb_oiio_read(const std::string& path, plumb::oiio::Pixels& pixels
   pixels.width = spec.width;
   pixels.height = spec.height;
   pixels.channels = spec.nchannels;
+  pixels.sample = plumb::oiio::sample_of(spec.format);
   pixels.values.resize(static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height) *
                        static_cast<std::size_t>(spec.nchannels));
   if (!in->read_image(0, 0, 0, spec.nchannels, plumb::oiio::lib::TypeDesc::FLOAT, pixels.values.data())) {

@@ -3,23 +3,18 @@
 #pragma once
 
 #include <string>
-#include <vector>
+
+#include "tracer/image/image_file.hpp"
 
 namespace plumb::oiio {
-
-struct Pixels {
-  int width = 0;
-  int height = 0;
-  int channels = 0;
-  std::vector<float> values;
-};
 
 enum class Depth { float32, bits16_linear, bits8 };
 
 /// Both return an empty string, or what went wrong. Writing goes to memory, in the format of the name:
 /// OpenImageIO does not notice a full disk.
-using Write = std::string (*)(const std::string& name, const Pixels& pixels, Depth depth, std::string& bytes);
-using Read = std::string (*)(const std::string& path, Pixels& pixels);
+using Write = std::string (*)(const std::string& name, const ImageFile& pixels, Depth depth,
+                              std::string& bytes);
+using Read = std::string (*)(const std::string& path, ImageFile& pixels);
 
 inline constexpr const char* module_name = "plumb_openimageio.so";
 inline constexpr const char* write_symbol = "plumb_oiio_write";

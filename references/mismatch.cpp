@@ -1,0 +1,260 @@
+#include "references/mismatch.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "references/curves.hpp"
+
+namespace plumb::references {
+namespace {
+
+/// What the test picture would be if the accident had happened to the reference.
+struct Hypothesis {
+  std::string name;
+  std::string text;
+  // Where in the test picture the pixel (x, y) of the reference is.
+  bool flips_rows = false;
+  bool mirrors_columns = false;
+  int dx = 0;
+  int dy = 0;
+  bool swaps_channels = false;
+  // What became of a value; none: nothing.
+  std::function<double(double)> curve = {};
+  // Bounds of test - curve(reference); the tolerance when both are 0.
+  double least = 0;
+  double most = 0;
+  std::function<bool(float)> is_level = {};  // what every value of the test picture must be
+  std::string because = {};
+};
+
+double clamped(double v) { return std::clamp(v, 0.0, 1.0); }
+
+void add_geometry(std::vector<Hypothesis>& list) {
+  list.push_back({.name = "rows_flipped", .text = "rows are flipped", .flips_rows = true});
+  list.push_back({.name = "columns_mirrored", .text = "columns are mirrored", .mirrors_columns = true});
+  list.push_back(
+      {.name = "rotated", .text = "turned by 180 degrees", .flips_rows = true, .mirrors_columns = true});
+  list.push_back(
+      {.name = "channels_swapped", .text = "red and blue are swapped (BGR)", .swaps_channels = true});
+  for (const auto& [dx, dy] :
+       {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {1, -1}, {-1, 1}, {-1, -1}}) {
+    std::string text = "shifted by one pixel:";
+    if (dx != 0) text += dx > 0 ? " to the right" : " to the left";
+    if (dy != 0) text += std::string(dx != 0 ? " and" : "") + (dy > 0 ? " down" : " up");
+    list.push_back({.name = "shifted", .text = text, .dx = dx, .dy = dy});
+  }
+}
+
+void add_curves(std::vector<Hypothesis>& list) {
+  list.push_back({.name = "srgb_encoded",
+                  .text = "the test picture is gamma-encoded (sRGB), the reference linear",
+                  .curve = curves::srgb_encoded});
+  list.push_back({.name = "srgb_decoded",
+                  .text = "the reference is gamma-encoded (sRGB), the test picture linear",
+                  .curve = curves::srgb_decoded});
+  list.push_back({.name = "tone_mapped",
+                  .text = "the test picture is tone-mapped, c / (c + 1), the reference is not",
+                  .curve = curves::tone_mapped});
+  list.push_back({.name = "tone_map_missing",
+                  .text = "the reference is tone-mapped, c / (c + 1), the test picture is not",
+                  .curve = [](double v) { return v < 1 ? v / (1 - v) : INFINITY; }});
+}
+
+void add_8_bits(std::vector<Hypothesis>& list, const std::string& name, const std::string& text,
+                const std::function<double(double)>& curve) {
+  // Float arithmetic before the rounding moves a value by far less than a thousandth of a step.
+  constexpr double noise = 1e-3 / 255;
+  list.push_back({.name = name + "rounded_to_8_bits",
+                  .text = text + "rounded to 8 bits",
+                  .curve = curve,
+                  .least = -0.5 / 255 - noise,
+                  .most = 0.5 / 255 + noise,
+                  .is_level = curves::is_8_bit,
+                  .because = "half a step of 8 bits is 1/510"});
+  list.push_back({.name = name + "truncated_to_8_bits",
+                  .text = text + "truncated to 8 bits",
+                  .curve = curve,
+                  .least = -1.0 / 255 - noise,
+                  .most = noise,
+                  .is_level = curves::is_8_bit,
+                  .because = "a step of 8 bits is 1/255, and truncation only darkens"});
+}
+
+const std::vector<Hypothesis>& hypotheses() {
+  static const std::vector<Hypothesis> list = [] {
+    std::vector<Hypothesis> made;
+    add_geometry(made);
+    add_curves(made);
+    made.push_back({.name = "half",
+                    .text = "the test picture holds half floats, the reference more",
+                    .curve = [](double v) { return curves::half_rounded(static_cast<float>(v)); },
+                    .is_level = [](float v) { return curves::half_rounded(v) == v; }});
+    add_8_bits(made, "", "the test picture is ", clamped);
+    add_8_bits(made, "srgb_encoded_", "the test picture is gamma-encoded (sRGB) and ",
+               [](double v) { return curves::srgb_encoded(clamped(v)); });
+    add_8_bits(made, "tone_mapped_", "the test picture is tone-mapped, c / (c + 1), and ",
+               curves::tone_mapped);
+    return made;
+  }();
+  return list;
+}
+
+/// Sums of squared differences, and the pixels that differ.
+struct Rest {
+  double squares = 0;
+  std::size_t pixels_over = 0;
+};
+
+/// The pictures, a pair of rows at a time.
+class Trial {
+ public:
+  Trial(const PixelRows& reference, const PixelRows& test, double tolerance)
+      : reference_(reference),
+        test_(test),
+        tolerance_(tolerance),
+        r_(reference.row_values()),
+        t_(r_.size()) {}
+
+  /// Nothing as soon as more than `most_squares` are left or a value contradicts the hypothesis.
+  std::optional<Rest> rest(const Hypothesis& h, double most_squares) {
+    Rest rest;
+    for (int i = 0; i < reference_.height; ++i) {
+      const int y = scattered(i);
+      const int other = (h.flips_rows ? reference_.height - 1 - y : y) + h.dy;
+      if (other < 0 || other >= reference_.height) continue;
+      reference_.copy_row(y, r_.data());
+      test_.copy_row(other, t_.data());
+      if (!add_row(h, most_squares, rest)) return std::nullopt;
+    }
+    return rest;
+  }
+
+  /// Squared differences of the reference's pixels that a shift moves out of the picture.
+  double squares_lost(const Hypothesis& h) {
+    double sum = 0;
+    const auto is_lost = [](int at, int size) { return at < 0 || at >= size; };
+    for (int y = 0; y < reference_.height; ++y) {
+      reference_.copy_row(y, r_.data());
+      test_.copy_row(y, t_.data());
+      for (int x = 0; x < reference_.width; ++x) {
+        if (is_lost(x + h.dx, reference_.width) || is_lost(y + h.dy, reference_.height))
+          sum += squares_at(x, x, {});
+      }
+    }
+    return sum;
+  }
+
+ private:
+  /// All rows, neighbours far apart: what a background hides shows soon.
+  int scattered(int i) const {
+    constexpr int rows_apart = 61;
+    const int rounds = (reference_.height + rows_apart - 1) / rows_apart;
+    const int full = reference_.height % rows_apart == 0 ? rows_apart : reference_.height % rows_apart;
+    const int in_full = full * rounds;
+    if (i < in_full) return i % rounds * rows_apart + i / rounds;
+    return (i - in_full) % (rounds - 1) * rows_apart + full + (i - in_full) / (rounds - 1);
+  }
+
+  bool add_row(const Hypothesis& h, double most_squares, Rest& rest) {
+    for (int x = 0; x < reference_.width; ++x) {
+      const int other = (h.mirrors_columns ? reference_.width - 1 - x : x) + h.dx;
+      if (other < 0 || other >= reference_.width) continue;
+      if (!add_pixel(h, x, other, rest) || rest.squares > most_squares) return false;
+    }
+    return true;
+  }
+
+  const float* at(const std::vector<float>& row, int x) const {
+    return row.data() + static_cast<std::size_t>(x) * static_cast<std::size_t>(reference_.channels);
+  }
+
+  bool add_pixel(const Hypothesis& h, int x, int other, Rest& rest) {
+    const float* const r = at(r_, x);
+    const float* const t = at(t_, other);
+    const auto is_finite = [](float v) { return std::isfinite(v); };
+    const int channels = reference_.channels;
+    if (!std::all_of(r, r + channels, is_finite) || !std::all_of(t, t + channels, is_finite)) return true;
+    if (h.is_level && !std::all_of(t, t + channels, h.is_level)) return false;
+    if (!h.because.empty()) return is_within_bounds(h, r, t);
+    rest.squares += squares_at(x, other, h);
+    rest.pixels_over += is_over(h, r, t) ? 1 : 0;
+    return true;
+  }
+
+  double expected(const Hypothesis& h, const float* r, int channel) const {
+    const int from = h.swaps_channels && channel < 3 && reference_.channels >= 3 ? 2 - channel : channel;
+    return h.curve ? h.curve(r[from]) : static_cast<double>(r[from]);
+  }
+
+  bool is_within_bounds(const Hypothesis& h, const float* r, const float* t) const {
+    for (int c = 0; c < reference_.channels; ++c) {
+      const double difference = t[c] - expected(h, r, c);
+      if (!(difference >= h.least && difference <= h.most)) return false;
+    }
+    return true;
+  }
+
+  bool is_over(const Hypothesis& h, const float* r, const float* t) const {
+    for (int c = 0; c < reference_.channels; ++c) {
+      const double e = expected(h, r, c);
+      if (!(std::abs(t[c] - e) <= tolerance_ * std::max(1.0, std::abs(e)))) return true;
+    }
+    return false;
+  }
+
+  double squares_at(int x, int other, const Hypothesis& h) const {
+    double sum = 0;
+    for (int c = 0; c < reference_.channels; ++c) {
+      const double difference = at(t_, other)[c] - expected(h, at(r_, x), c);
+      if (std::isfinite(difference)) sum += difference * difference;
+    }
+    return sum;
+  }
+
+  const PixelRows& reference_;
+  const PixelRows& test_;
+  double tolerance_;
+  std::vector<float> r_;
+  std::vector<float> t_;
+};
+
+}  // namespace
+
+std::optional<LikelyCause> likely_cause(const PixelRows& reference, const PixelRows& test, double tolerance,
+                                        const Comparison& comparison) {
+  const auto finite = static_cast<double>((comparison.pixels - comparison.non_finite) *
+                                          static_cast<std::size_t>(reference.channels));
+  const double before = comparison.rms_error * comparison.rms_error * finite;
+  if (!(before > 0)) return std::nullopt;  // what differs is not finite
+  constexpr double share_left = 0.01;
+  std::optional<LikelyCause> best;
+  Trial trial(reference, test, tolerance);
+  for (const Hypothesis& h : hypotheses()) {
+    const auto rest = trial.rest(h, share_left * before);
+    if (!rest) continue;
+    // A shift that merely loses the pixels that differ explains nothing.
+    if ((h.dx != 0 || h.dy != 0) && trial.squares_lost(h) > 0.5 * before) continue;
+    LikelyCause cause{h.name, h.text, rest->pixels_over, 1 - rest->squares / before, h.because};
+    if (cause.pixels_over == 0) return cause;
+    if (!best || cause.removed > best->removed) best = cause;
+  }
+  return best;
+}
+
+std::optional<std::string> shape_mismatch(const PixelRows& reference, const PixelRows& test) {
+  if (reference.width != test.width || reference.height != test.height) {
+    if (reference.width == test.height && reference.height == test.width)
+      return "width and height are swapped: the picture is transposed or turned by 90 degrees";
+    return "render both in one size";
+  }
+  const auto is = [&](int r, int t) { return reference.channels == r && test.channels == t; };
+  if (is(3, 4) || is(1, 2)) return "the test picture has an alpha channel: write it without";
+  if (is(4, 3) || is(2, 1)) return "the reference has an alpha channel: write it without";
+  if (is(3, 1)) return "the test picture is grey";
+  if (is(1, 3)) return "the reference is grey";
+  if (reference.channels != test.channels) return "write the same channels in both";
+  return std::nullopt;
+}
+
+}  // namespace plumb::references

@@ -1,0 +1,275 @@
+// FLIP against a second implementation, written from the papers alone: plain sums over two dimensions in
+// double. The papers' own test pictures are not at hand; where a value can be done by hand, it is.
+#include "references/metrics/flip.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <glm/glm.hpp>
+#include <numbers>
+#include <random>
+
+namespace plumb::tests {
+namespace {
+
+using references::ColourSpace;
+using references::PictureView;
+using Plane = std::vector<double>;
+
+constexpr double pi = std::numbers::pi;
+constexpr double ppd = 67.0206432765823;  // 0.7 m, 3840 pixels on 0.7 m
+
+struct Picture {
+  int width;
+  int height;
+  std::vector<float> values;
+  PictureView view() const { return {width, height, 3, values.data()}; }
+};
+
+// --- the second implementation ---------------------------------------------------------------------
+
+const glm::dmat3 xyz_from_rgb = glm::transpose(glm::dmat3(
+    0.4123908, 0.3575843, 0.1804808, 0.2126390, 0.7151687, 0.0721923, 0.0193308, 0.1191948, 0.9505322));
+
+glm::dvec3 over_white(const glm::dvec3& rgb) { return xyz_from_rgb * rgb / (xyz_from_rgb * glm::dvec3(1)); }
+
+glm::dvec3 hunt_lab(const glm::dvec3& rgb) {
+  const auto f = [](double t) { return t > 0.008856452 ? std::cbrt(t) : 7.787037 * t + 4.0 / 29; };
+  const glm::dvec3 w = over_white(rgb);
+  const double l = 116 * f(w.y) - 16;
+  return {l, 0.01 * l * 500 * (f(w.x) - f(w.y)), 0.01 * l * 200 * (f(w.y) - f(w.z))};
+}
+
+double hyab(const glm::dvec3& a, const glm::dvec3& b) {
+  return std::abs(a.x - b.x) + std::hypot(a.y - b.y, a.z - b.z);
+}
+
+Plane filtered(const Plane& in, int width, int height, int radius,
+               const std::function<double(int, int)>& weight, bool normalise_signs) {
+  double positive = 0, negative = 0;
+  for (int j = -radius; j <= radius; ++j)
+    for (int i = -radius; i <= radius; ++i)
+      (weight(i, j) > 0 ? positive : negative) += std::abs(weight(i, j));
+  if (!normalise_signs) negative = positive;
+  Plane out(in.size());
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      for (int j = -radius; j <= radius; ++j)
+        for (int i = -radius; i <= radius; ++i) {
+          const double w = weight(i, j);
+          const int from = std::clamp(y + j, 0, height - 1) * width + std::clamp(x + i, 0, width - 1);
+          out[static_cast<std::size_t>(y * width + x)] +=
+              w / (w > 0 ? positive : negative) * in[static_cast<std::size_t>(from)];
+        }
+  return out;
+}
+
+struct Seen {
+  std::vector<glm::dvec3> lab;
+  Plane edge, point;
+};
+
+Seen seen(const std::vector<glm::dvec3>& linear, int width, int height) {
+  Plane y, cx, cz;
+  for (const glm::dvec3& rgb : linear) {
+    const glm::dvec3 w = over_white(rgb);
+    y.push_back(116 * w.y - 16);
+    cx.push_back(500 * (w.x - w.y));
+    cz.push_back(200 * (w.y - w.z));
+  }
+  const auto gaussian = [](double a, double b) {
+    return [=](int i, int j) {
+      return a * std::sqrt(pi / b) * std::exp(-pi * pi * (i * i + j * j) / (ppd * ppd * b));
+    };
+  };
+  const auto wide = gaussian(34.1, 0.04), narrow = gaussian(13.5, 0.025);
+  const auto both = [&](int i, int j) { return wide(i, j) + narrow(i, j); };
+  const Plane fy = filtered(y, width, height, 10, gaussian(1, 0.0047), false);
+  const Plane fx = filtered(cx, width, height, 10, gaussian(1, 0.0053), false);
+  const Plane fz = filtered(cz, width, height, 10, both, false);
+  Seen result;
+  for (std::size_t k = 0; k < fy.size(); ++k) {
+    const double wy = (fy[k] + 16) / 116;
+    const glm::dvec3 white = xyz_from_rgb * glm::dvec3(1);
+    const glm::dvec3 rgb =
+        glm::inverse(xyz_from_rgb) * (glm::dvec3(wy + fx[k] / 500, wy, wy - fz[k] / 200) * white);
+    result.lab.push_back(hunt_lab(glm::clamp(rgb, 0.0, 1.0)));
+  }
+  for (double& v : y) v = (v + 16) / 116;
+  const double sd = 0.041 * ppd;
+  const auto g = [=](int i, int j) { return std::exp(-(i * i + j * j) / (2 * sd * sd)); };
+  const auto edge = [&](int i, int j) { return -i * g(i, j); };
+  const auto point = [&](int i, int j) { return (i * i / (sd * sd) - 1) * g(i, j); };
+  const auto length = [&](const std::function<double(int, int)>& f) {
+    const Plane across = filtered(y, width, height, 9, f, true);
+    Plane down = filtered(
+        y, width, height, 9, [&](int i, int j) { return f(j, i); }, true);
+    for (std::size_t k = 0; k < down.size(); ++k) down[k] = std::hypot(down[k], across[k]);
+    return down;
+  };
+  result.edge = length(edge);
+  result.point = length(point);
+  return result;
+}
+
+Plane flip_of_linear(const std::vector<glm::dvec3>& reference, const std::vector<glm::dvec3>& test, int width,
+                     int height) {
+  const Seen r = seen(reference, width, height), t = seen(test, width, height);
+  const double largest = std::pow(hyab(hunt_lab({0, 1, 0}), hunt_lab({0, 0, 1})), 0.7);
+  Plane errors;
+  for (std::size_t k = 0; k < r.lab.size(); ++k) {
+    const double c = std::pow(hyab(r.lab[k], t.lab[k]), 0.7) / largest;
+    const double colour = c < 0.4 ? c / 0.4 * 0.95 : 0.95 + (c - 0.4) / 0.6 * 0.05;
+    const double feature = std::max(std::abs(r.edge[k] - t.edge[k]), std::abs(r.point[k] - t.point[k]));
+    errors.push_back(std::pow(colour, 1 - std::sqrt(feature / std::sqrt(2.0))));
+  }
+  return errors;
+}
+
+double srgb_decoded(double v) { return v > 0.04045 ? std::pow((v + 0.055) / 1.055, 2.4) : v / 12.92; }
+
+double aces(double v) {
+  v = 0.6 * std::max(v, 0.0);
+  return std::clamp(v * (2.51 * v + 0.03) / (v * (2.43 * v + 0.59) + 0.14), 0.0, 1.0);
+}
+
+std::vector<glm::dvec3> decoded(const Picture& p, const std::function<double(double)>& curve) {
+  std::vector<glm::dvec3> colours;
+  for (std::size_t i = 0; i < p.values.size(); i += 3)
+    colours.emplace_back(curve(p.values[i]), curve(p.values[i + 1]), curve(p.values[i + 2]));
+  return colours;
+}
+
+// --- pictures ----------------------------------------------------------------------------------------
+
+Picture uniform(int width, int height, const glm::vec3& colour) {
+  Picture p{width, height, {}};
+  for (int i = 0; i < width * height; ++i) p.values.insert(p.values.end(), {colour.x, colour.y, colour.z});
+  return p;
+}
+
+/// Blocks of random colours, which have edges and corners.
+Picture blocks(int width, int height, unsigned seed, float largest) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<float> value(0, largest);
+  Picture p{width, height, std::vector<float>(static_cast<std::size_t>(3 * width * height))};
+  std::vector<float> colours(3 * 64);
+  for (float& c : colours) c = value(random);
+  for (int i = 0; i < width * height; ++i)
+    for (int c = 0; c < 3; ++c)
+      p.values[static_cast<std::size_t>(3 * i + c)] =
+          colours[static_cast<std::size_t>(3 * ((i % width / 5 + 7 * (i / width / 4)) % 64) + c)];
+  return p;
+}
+
+void expect_map(const Plane& expected, const std::vector<float>& map, double tolerance) {
+  ASSERT_EQ(map.size(), expected.size());
+  for (std::size_t i = 0; i < map.size(); ++i) ASSERT_NEAR(map[i], expected[i], tolerance) << "pixel " << i;
+}
+
+// Float32 sums of 21 + 21 taps on values up to 500: 3e-5; the power of 0.7 is steep near 0, as is the root of
+// the features.
+constexpr double float_noise = 5e-4;
+
+TEST(Flip, EqualPicturesDoNotDiffer) {
+  const Picture p = blocks(30, 20, 1, 1);
+  const references::Flip result = references::flip(p.view(), p.view(), ColourSpace::srgb);
+  EXPECT_EQ(result.mean, 0);
+  EXPECT_EQ(result.max, 0);
+}
+
+TEST(Flip, BlackAndWhiteDifferAsDoneByHand) {
+  // HyAB is 100, the difference of L*; green and blue are 203.3 apart, 41.276 to the power of 0.7.
+  const auto map = references::flip_map(uniform(9, 7, glm::vec3(0)).view(),
+                                        uniform(9, 7, glm::vec3(1)).view(), ColourSpace::srgb);
+  const double c = std::pow(100.0, 0.7) / 41.276;
+  expect_map(Plane(63, 0.95 + (c - 0.4) / 0.6 * 0.05), map, 1e-5);
+}
+
+TEST(Flip, GreenAndBlueDifferMost) {
+  const auto map = references::flip_map(uniform(3, 3, {0, 1, 0}).view(), uniform(3, 3, {0, 0, 1}).view(),
+                                        ColourSpace::srgb);
+  expect_map(Plane(9, 1), map, 1e-5);
+}
+
+TEST(Flip, ItIsThatOfAPlainImplementation) {
+  for (const unsigned seed : {1U, 2U}) {
+    const Picture r = blocks(37, 23, seed, 1), t = blocks(37, 23, seed + 10, 1);
+    const Plane expected = flip_of_linear(decoded(r, srgb_decoded), decoded(t, srgb_decoded), 37, 23);
+    expect_map(expected, references::flip_map(r.view(), t.view(), ColourSpace::srgb), float_noise);
+  }
+}
+
+TEST(Flip, AStepAndASpotAreSeenAsByAPlainImplementation) {
+  const Picture r = uniform(32, 24, glm::vec3(0.5F));
+  Picture t = r;
+  for (std::size_t y = 0; y < 24; ++y)
+    for (std::size_t x = 20; x < 32; ++x) t.values[3 * (y * 32 + x)] = 0.9F;
+  t.values[3 * (12 * 32 + 8) + 1] = 1;
+  const Plane expected = flip_of_linear(decoded(r, srgb_decoded), decoded(t, srgb_decoded), 32, 24);
+  expect_map(expected, references::flip_map(r.view(), t.view(), ColourSpace::srgb), float_noise);
+}
+
+TEST(Flip, SmallPicturesAreThoseOfAPlainImplementation) {
+  for (const auto& [width, height] : {std::pair{1, 1}, {1, 5}, {5, 1}, {2, 3}, {17, 2}}) {
+    const Picture r = blocks(width, height, 3, 1), t = blocks(width, height, 4, 1);
+    const Plane expected = flip_of_linear(decoded(r, srgb_decoded), decoded(t, srgb_decoded), width, height);
+    expect_map(expected, references::flip_map(r.view(), t.view(), ColourSpace::srgb), float_noise);
+  }
+}
+
+// --- HDR-FLIP ----------------------------------------------------------------------------------------
+
+TEST(HdrFlip, TheExposuresBringTheBrightestAndTheMedianTo085) {
+  // 8 in one of 35 pixels, 0.25 in the others, grey.
+  Picture p = uniform(7, 5, glm::vec3(0.25F));
+  for (std::size_t c = 0; c < 3; ++c) p.values[c] = 8;
+  const references::Exposures e = references::flip_exposures(p.view());
+  EXPECT_NEAR(aces(8 * std::exp2(e.start)), 0.85, 1e-6);
+  EXPECT_NEAR(aces(0.25 * std::exp2(e.stop)), 0.85, 1e-6);
+  EXPECT_NEAR(e.stop - e.start, 5, 1e-6);
+  EXPECT_TRUE(e.count == 5 || e.count == 6) << e.count << ": five stops, but for rounding";
+}
+
+TEST(HdrFlip, AtLeastTwoExposuresAreTaken) {
+  EXPECT_EQ(references::flip_exposures(uniform(2, 2, glm::vec3(3)).view()).count, 2);
+}
+
+TEST(HdrFlip, AReferenceWithABlackMedianHasAFiniteRange) {
+  Picture p = uniform(4, 4, glm::vec3(0));
+  p.values[0] = 1;
+  const references::Exposures e = references::flip_exposures(p.view());
+  EXPECT_LE(e.count, 32);
+  EXPECT_TRUE(std::isfinite(e.stop));
+}
+
+TEST(HdrFlip, ABlackReferenceIsJudgedAsItIs) {
+  EXPECT_EQ(references::flip_exposures(uniform(2, 2, glm::vec3(0)).view()).count, 1);
+  const Picture black = uniform(2, 2, glm::vec3(0)), grey = uniform(2, 2, glm::vec3(1));
+  EXPECT_GT(references::flip(black.view(), grey.view(), ColourSpace::linear).mean, 0.5);
+}
+
+TEST(HdrFlip, ItIsTheLargestOverTheExposures) {
+  const Picture r = blocks(29, 19, 5, 6), t = blocks(29, 19, 6, 6);
+  const references::Exposures e = references::flip_exposures(r.view());
+  Plane expected(29 * 19);
+  for (int i = 0; i < e.count; ++i) {
+    const double factor = std::exp2(e.start + i * (e.stop - e.start) / (e.count - 1));
+    const auto curve = [&](double v) { return aces(factor * v); };
+    const Plane one = flip_of_linear(decoded(r, curve), decoded(t, curve), 29, 19);
+    for (std::size_t k = 0; k < one.size(); ++k) expected[k] = std::max(expected[k], one[k]);
+  }
+  expect_map(expected, references::flip_map(r.view(), t.view(), ColourSpace::linear), float_noise);
+}
+
+TEST(HdrFlip, LightBeyondAllMeasureAndNegativeLightStayInRange) {
+  const Picture r = uniform(3, 3, {1, 1, 1}), t = uniform(3, 3, {3e38F, -5, 0});
+  for (const float v : references::flip_map(r.view(), t.view(), ColourSpace::linear)) {
+    EXPECT_GE(v, 0);
+    EXPECT_LE(v, 1);
+  }
+}
+
+}  // namespace
+}  // namespace plumb::tests
