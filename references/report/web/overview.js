@@ -27,20 +27,20 @@ function compared(a, b) {
 }
 
 function thumbnail(scene, key, what) {
-  if (!scene[key]) return element("span", {class: "thumbnail none", "aria-hidden": "true"}, "–");
+  if (!scene[key]) return element("span", {class: "thumbnail none", "aria-hidden": "true"});
   return element("img", {class: `thumbnail ${key}`, src: scene[key], alt: `${what} of ${scene.name}`, loading: "lazy", decoding: "async"});
 }
 
 function row(scene) {
   const {result} = scene;
   const link = element("a", {href: address({scene: scene.key})}, scene.name);
-  const cell = (title, text) => element("td", {class: "number", "data-title": title}, text);
+  const cell = (title, text) => element("td", {class: text === "–" ? "number empty" : "number", "data-title": title}, text);
   const node = element("tr", {},
     element("td", {class: "pictures"}, thumbnail(scene, "thumbnail", "Picture"), thumbnail(scene, "error_thumbnail", "Errors")),
     element("th", {scope: "row"}, link, result.message ? element("span", {class: "message"}, result.message.split("\n")[0]) : null),
     element("td", {"data-title": "Result"}, badge(result.status)),
     cell("Max error", figure(result.max_error)), cell("Mean", figure(result.mean_error)), cell("RMS", figure(result.rms_error)),
-    element("td", {class: "number over", "data-title": "Over"}, count(result.pixels_over), result.budget ? bar(result.budget) : null,
+    element("td", {class: result.pixels_over === undefined ? "number empty" : "number over", "data-title": "Over"}, count(result.pixels_over), parts(result.budget).length > 0 ? bar(result.budget) : null,
       result.non_finite > 0 ? element("span", {class: "warning"}, `${count(result.non_finite)} not finite`) : null),
     cell("Unexplained", count(result.budget?.unexplained)), cell("CPU", seconds(result.seconds)));
   node.addEventListener("click", (e) => { if (!e.target.closest("a") && getSelection().isCollapsed) link.click(); });

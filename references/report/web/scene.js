@@ -17,6 +17,11 @@ function panel(title, ...children) {
   return element("section", {class: "panel", "aria-label": title}, element("h2", {}, title), ...children);
 }
 
+function budget_of({budget}) {
+  if (parts(budget).length === 0) return [element("p", {class: "hint"}, "No pixel is over the tolerance.")];
+  return [bar(budget), legend(budget)];
+}
+
 export class SceneView {
   /** `lead.previous(scene)` and `lead.next(scene)`: scenes or nothing; `lead.go(scene)`. */
   constructor(view, lead) {
@@ -26,7 +31,7 @@ export class SceneView {
     this.explanation = element("div", {class: "explanation", "aria-live": "polite"});
     this.actions = this.make_actions();
     this.toolbar = make_toolbar(view, this.actions);
-    this.stage = new Stage(view, {
+    this.stage = new Stage(view, this.toolbar.range, {
       on_point: (pixel) => this.update_readout(pixel),
       on_pick: (pixel) => this.pick(pixel, false),
       on_zoom: (k) => this.toolbar.set_zoom(k),
@@ -91,8 +96,7 @@ export class SceneView {
       result.message ? panel("Message", element("pre", {tabindex: "0"}, result.message)) : null,
       scene.picture ? panel("Pixel", this.readout) : null,
       scene.picture ? panel("Explanation", this.explanation) : null,
-      result.budget ? panel("Pixel budget", bar(result.budget),
-        parts(result.budget).length > 0 ? legend(result.budget) : element("p", {class: "hint"}, "No pixel is over the tolerance.")) : null,
+      result.budget ? panel("Pixel budget", ...budget_of(result)) : null,
       result.terms ? panel("Term by term", terms(result)) : null,
       panel("Figures", figures(scene)),
       result.metrics ? panel("Metrics", metrics(result)) : null,

@@ -10,8 +10,10 @@ const titles = {reference: "Reference", test: "Test", error: "Error"};
 const blink_milliseconds = 600;
 
 export class Stage {
-  /** `view` is shared with the toolbar; `on_point(pixel or null)`, `on_pick(pixel)`, `on_zoom(k)`. */
-  constructor(view, callbacks) {
+  /** `view` is shared with the toolbar; `on_point(pixel or null)`, `on_pick(pixel)`, `on_zoom(k)`; the
+   * button that changes the range of colours stands beside their scale. */
+  constructor(view, range_button, callbacks) {
+    this.range_button = range_button;
     this.view = view;
     this.callbacks = callbacks;
     this.panes_node = element("div", {class: "panes"});
@@ -111,7 +113,7 @@ export class Stage {
 
   update_legend() {
     const is_shown = ["side", "error"].includes(this.view.mode);
-    this.legend.replaceChildren(...(is_shown ? [scale(this.range())] : []));
+    this.legend.replaceChildren(...(is_shown ? [scale(this.range()), this.range_button] : []));
   }
 
   update_blinking() {

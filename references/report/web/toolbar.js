@@ -24,7 +24,7 @@ export function make_toolbar(view, actions) {
   const button = (label, title, action) => element("button", {type: "button", title, "aria-label": title, onclick: action}, label);
   const node = element("div", {class: "toolbar", role: "toolbar", "aria-label": "View"},
     element("div", {class: "segments", role: "group", "aria-label": "Mode"}, mode_buttons),
-    element("div", {class: "group"}, pause, range, marks, curve),
+    element("div", {class: "group"}, pause, marks, curve),
     element("div", {class: "group"}, element("label", {for: "exposure"}, "Exposure"), exposure, stops,
       button("↺", "Reset exposure (r)", () => actions.set_exposure(0))),
     element("div", {class: "group"}, button("−", "Zoom out (-)", actions.zoom_out), zoom_text,
@@ -39,7 +39,6 @@ export function make_toolbar(view, actions) {
     press(pause, view.is_paused);
     press(range, view.is_own_range);
     pause.hidden = view.mode !== "blink";
-    range.hidden = !["side", "error"].includes(view.mode);
   };
-  return {node, update, set_zoom: (k) => { zoom_text.textContent = `${k < 0.1 ? (100 * k).toFixed(1) : Math.round(100 * k)} %`; }};
+  return {node, range, update, set_zoom: (k) => { zoom_text.textContent = `${k < 0.1 ? (100 * k).toFixed(1) : Math.round(100 * k)} %`; }};
 }
