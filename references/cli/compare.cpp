@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "references/cli/commands.hpp"
+#include "references/cli/compare_report.hpp"
 #include "references/cli/options.hpp"
 #include "references/cli/report.hpp"
 #include "references/comparison.hpp"
@@ -14,6 +15,7 @@ struct Options {
   std::string reference;
   std::string test;
   std::string json;
+  std::string report;
   double tolerance = 1e-6;
 };
 
@@ -47,6 +49,20 @@ void print(const references::Comparison& c) {
   std::printf("%s\n", c.agrees() ? "agree" : "differ");
 }
 
+Json result_json(const Options& options, const ImageFile& test, const references::Comparison& c) {
+  Json json{{"tool", "plumb"},
+            {"version", PLUMB_VERSION},
+            {"reference", options.reference},
+            {"test", options.test},
+            {"status", c.agrees() ? "agree" : "differ"},
+            {"tolerance", options.tolerance},
+            {"width", test.width},
+            {"height", test.height}};
+  json.update(to_json(c));
+  json["worst"]["test"] = c.worst.test;
+  return json;
+}
+
 int run_compare(const Options& options) {
   const ImageFile reference = read_image(options.reference);
   const ImageFile test = read_image(options.test);
@@ -54,18 +70,10 @@ int run_compare(const Options& options) {
   const auto c = references::compare(test.width, test.height, test.channels, reference.values, test.values,
                                      options.tolerance);
   if (options.json != "-") print(c);
-  if (!options.json.empty()) {
-    Json json{{"tool", "plumb"},
-              {"version", PLUMB_VERSION},
-              {"reference", options.reference},
-              {"test", options.test},
-              {"status", c.agrees() ? "agree" : "differ"},
-              {"tolerance", options.tolerance},
-              {"width", test.width},
-              {"height", test.height}};
-    json.update(to_json(c));
-    json["worst"]["test"] = c.worst.test;
-    write_json(options.json, json);
+  if (!options.json.empty()) write_json(options.json, result_json(options, test, c));
+  if (!options.report.empty()) {
+    write_compare_report(options.report, {options.reference, reference}, {options.test, test},
+                         options.tolerance, result_json(options, test, c));
   }
   return c.agrees() ? exit_agrees : exit_differs;
 }
@@ -81,6 +89,8 @@ Command add_compare(CLI::App& plumb) {
   add_tolerance(*app, options->tolerance);
   app->add_option("--json", options->json, "write the results as JSON; - is standard output")
       ->type_name("FILE");
+  app->add_option("--report", options->report, "write a report with both pictures to DIR/index.html")
+      ->type_name("DIR");
   app->footer(
       "Example: plumb compare reference.exr mine.exr --tolerance 0.001\n"
       "Values are compared as they stand in the files; 8 and 16 bits count from 0 to 1.\n"
