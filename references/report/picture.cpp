@@ -11,10 +11,12 @@ namespace {
 using Bits = std::vector<std::uint32_t>;
 
 void append_shuffled(std::string& bytes, const Bits& values) {
+  std::size_t at = bytes.size();
+  bytes.resize(at + 4 * values.size());
   for (std::size_t channel = 0; channel < 3; ++channel) {
     for (unsigned shift = 0; shift < 32; shift += 8) {
       for (std::size_t i = channel; i < values.size(); i += 3) {
-        bytes += static_cast<char>(values[i] >> shift & 0xff);
+        bytes[at++] = static_cast<char>(values[i] >> shift & 0xff);
       }
     }
   }

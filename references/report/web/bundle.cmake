@@ -1,5 +1,8 @@
 # The report's page: bundled by esbuild with Debian's d3, embedded as bytes.
-find_program(ESBUILD esbuild REQUIRED)
+find_program(ESBUILD esbuild)
+if(NOT ESBUILD OR NOT EXISTS /usr/share/nodejs/d3-zoom/package.json)
+  message(FATAL_ERROR "esbuild or d3 (expected in /usr/share/nodejs) is missing, which the report's page is bundled with: run scripts/packages")
+endif()
 set(report_web ${PROJECT_SOURCE_DIR}/references/report/web)
 set(report_built ${PROJECT_BINARY_DIR}/report)
 set(report_sources
