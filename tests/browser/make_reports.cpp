@@ -1,4 +1,4 @@
-// Writes the reports that the browser tests look at. Usage: make_reports DIRECTORY few|many|beside
+// Writes the reports that the browser tests look at. Usage: make_reports DIRECTORY one|few|many|beside
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -101,13 +101,15 @@ void add_many(ReportWriter& writer) {
 
 int main(int argc, char** argv) {
   if (argc != 3) {
-    std::fputs("Usage: make_reports DIRECTORY few|many|beside\n", stderr);
+    std::fputs("Usage: make_reports DIRECTORY one|few|many|beside\n", stderr);
     return 2;
   }
   const std::string kind = argv[2];
   const std::size_t most_inline = kind == "beside" ? 0 : ReportWriter::default_most_inline;
   ReportWriter writer(argv[1], "Report <i>of</i> tests", "against nothing & nobody", most_inline);
-  if (kind == "many") {
+  if (kind == "one") {
+    writer.add(red_and_green());
+  } else if (kind == "many") {
     add_many(writer);
   } else {
     add_few(writer);

@@ -3,6 +3,7 @@ import glob
 import http.server
 import json
 import os
+import re
 import threading
 import unittest
 
@@ -82,6 +83,14 @@ class Page(ReportTest):
         self.button("About").click()
         for expected in ("d3-zoom", "d3-selection", "d3-scale-chromatic", "BSD 3-Clause", "Mike Bostock"):
             self.assertIn(expected, self.text("#about"))
+
+    def test_licences_name_the_versions_that_are_bundled(self):
+        self.button("About").click()
+        listed = re.findall(r"- (d3-\S+) (\S+) \(c\)", self.text("#about"))
+        self.assertGreater(len(listed), 5)
+        for name, version in listed:
+            with open(f"/usr/share/nodejs/{name}/package.json", encoding="utf-8") as package:
+                self.assertEqual(json.load(package)["version"], version, name)
 
     def test_nothing_is_asked_of_a_network(self):
         self.browser.get_log("performance")

@@ -133,5 +133,14 @@ class Viewer(ReportTest):
         self.assertEqual("reference test", self.shows())
 
 
+class OneScene(ReportTest):
+    kind = "one"
+
+    def test_the_only_scene_is_shown_at_once(self):
+        self.wait_for_scene(RED_GREEN)
+        self.find(".back").click()
+        self.wait(lambda: len(self.all(".scenes tbody tr")) == 1)
+
+
 if __name__ == "__main__":
     unittest.main()

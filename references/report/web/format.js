@@ -19,7 +19,7 @@ export function figure(value, digits = 3) {
   if (!Number.isFinite(value)) return float32(value);
   if (Number.isInteger(value)) return count(value);
   const size = Math.abs(value);
-  return size < 1e-3 || size >= 1e6 ? value.toExponential(digits - 1) : String(Number(value.toPrecision(digits + 1)));
+  return size < 1e-3 || size >= 1e6 ? value.toExponential(digits - 1).replace(/\.?0+e/, "e") : String(Number(value.toPrecision(digits + 1)));
 }
 
 export function count(value) {

@@ -4,7 +4,7 @@ import {element} from "./dom.js";
 import {thumbnail_filter} from "./heat.js";
 import {listen} from "./keys.js";
 import {Overview} from "./overview.js";
-import {address, place} from "./router.js";
+import {address, place, remember} from "./router.js";
 import {SceneView} from "./scene.js";
 import {read_report} from "./store.js";
 
@@ -59,4 +59,6 @@ document.getElementById("app").replaceChildren(
   bar_button("Keys ?", "Keyboard shortcuts (?)", help), bar_button("About", "About this page, and licences", about)),
   content, help, about, thumbnail_filter());
 addEventListener("hashchange", show);
+// Of one scene there is nothing to overlook.
+if (!location.hash && report.scenes.length === 1) remember({scene: report.scenes[0].key});
 show();
