@@ -54,14 +54,14 @@ void append_notes(std::string& bytes, const ReportEntry& entry) {
   }
   const std::size_t start = bytes.size();
   bytes.append(entry.test->rgb.size() / 3, '\0');
-  nlohmann::ordered_json texts = nlohmann::ordered_json::object();
+  nlohmann::json texts = nlohmann::json::object();  // sorted: an ordered one searches all its keys each time
   for (const PixelNote& note : entry.notes) {
     const std::size_t pixel = entry.test->offset(note.x, note.y) / 3;
     const auto place = std::find(causes.begin(), causes.end(), note.cause) - causes.begin();
     bytes[start + pixel] = static_cast<char>(place + 1);
-    if (!note.text.empty()) texts.push_back({std::to_string(pixel), note.text});
+    if (!note.text.empty()) texts[std::to_string(pixel)] = note.text;
   }
-  bytes += texts.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  bytes += texts.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
 }  // namespace
