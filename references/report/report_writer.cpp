@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <regex>
 #include <stdexcept>
 #include <utility>
 
@@ -20,12 +19,23 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
+constexpr std::size_t hash_size = 16;
+
 void make_directory(const std::string& path) {
   std::error_code error;
   fs::create_directories(path, error);
   if (!fs::is_directory(path)) {
     throw std::runtime_error(path + ": cannot be made a directory for the report: " + error.message());
   }
+}
+
+/// NUMBER-HASH.js: what reports name their pictures, and hardly anybody else.
+bool is_name_of_picture(const fs::path& path) {
+  const std::string stem = path.stem().string();
+  const std::size_t dash = stem.find('-');
+  return path.extension() == ".js" && dash != std::string::npos && dash > 0 &&
+         stem.size() == dash + 1 + hash_size && stem.find_first_not_of("0123456789") == dash &&
+         stem.find_first_not_of("0123456789abcdef", dash + 1) == std::string::npos;
 }
 
 std::string data_url(const std::string& png) { return "data:image/png;base64," + base64(png); }
@@ -59,7 +69,7 @@ void ReportWriter::add(const ReportEntry& entry) {
   Picture picture;
   if (entry.reference && entry.test) {
     picture.text = base64(deflated(picture_bytes(entry)));
-    picture.id = sha256(picture.text).substr(0, 16);
+    picture.id = sha256(picture.text).substr(0, hash_size);
   }
   Json json = json_of(entry);
   const std::lock_guard lock(mutex_);
@@ -106,16 +116,14 @@ void ReportWriter::finish() {
 }
 
 void ReportWriter::remove_old_pictures() const {
-  static const std::regex ours("([0-9]+-[0-9a-f]{16})\\.js");
   const fs::path folder = directory_ + "/pictures";
   if (!fs::is_directory(folder)) return;
   std::vector<fs::path> old;
   for (const auto& entry : fs::directory_iterator(folder)) {
-    const std::string name = entry.path().filename().string();
-    std::smatch parts;
-    if (!std::regex_match(name, parts, ours)) continue;
+    if (!is_name_of_picture(entry.path())) continue;
+    const std::string id = entry.path().stem().string();
     const bool is_used = is_beside_ && std::any_of(pictures_.begin(), pictures_.end(),
-                                                   [&](const Picture& p) { return p.id == parts[1].str(); });
+                                                   [&](const Picture& p) { return p.id == id; });
     if (!is_used) old.push_back(entry.path());
   }
   std::error_code ignored;  // what stays costs only room
