@@ -154,7 +154,7 @@ void verify_scene(const VerifyOptions& options, const ReferenceSource& source, i
 /// Reports results in order, whatever order they come in.
 class InOrder {
  public:
-  InOrder(std::vector<SceneResult>& results, const std::function<void(const SceneResult&)>& done)
+  InOrder(std::vector<SceneResult>& results, const std::function<void(SceneResult&)>& done)
       : results_(results), done_(done), is_ready_(results.size(), false) {}
 
   void ready(std::size_t index) {
@@ -167,7 +167,7 @@ class InOrder {
 
  private:
   std::vector<SceneResult>& results_;
-  const std::function<void(const SceneResult&)>& done_;
+  const std::function<void(SceneResult&)>& done_;
   std::vector<bool> is_ready_;
   std::size_t next_ = 0;
   std::mutex mutex_;
@@ -208,7 +208,7 @@ void judge(const AttributionJob& job, SceneResult& result) {
 }
 
 VerifyReport verify(const std::vector<std::string>& scenes, const VerifyOptions& options,
-                    const std::function<void(const SceneResult&)>& done) {
+                    const std::function<void(SceneResult&)>& done) {
   const ReferenceSource source(options.stored);
   VerifyReport report;
   report.reference_version = source.version();

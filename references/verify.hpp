@@ -85,6 +85,6 @@ struct VerifyReport {
 /// One bad scene never stops the others. `done` is called in the order of the scenes, from one thread at a
 /// time.
 VerifyReport verify(const std::vector<std::string>& scenes, const VerifyOptions& options,
-                    const std::function<void(const SceneResult&)>& done);
+                    const std::function<void(SceneResult&)>& done);
 
 }  // namespace plumb::references

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "references/cli/commands.hpp"
+#include "references/cli/compare_report.hpp"
 #include "references/cli/metrics.hpp"
 #include "references/cli/options.hpp"
 #include "references/cli/report.hpp"
@@ -17,6 +18,7 @@ struct Options {
   std::string reference;
   std::string test;
   std::string json;
+  std::string report;
   double tolerance = 1e-6;
   bool metrics = false;
 };
@@ -97,6 +99,12 @@ int run_compare(const Options& options) {
   if (options.metrics) findings.metrics = metrics_of(reference, test);
   if (options.json != "-") print(findings);
   if (!options.json.empty()) write_json(options.json, json_of(options, test, findings));
+  if (!options.report.empty()) {
+    const ImageFile r = image_of(reference);
+    const ImageFile t = image_of(test);
+    write_compare_report(options.report, {options.reference, r}, {options.test, t}, options.tolerance,
+                         json_of(options, test, findings));
+  }
   return c.agrees() ? exit_agrees : exit_differs;
 }
 
@@ -112,6 +120,8 @@ Command add_compare(CLI::App& plumb) {
   app->add_flag("--metrics", options->metrics, "also PSNR, percentiles, bias, SSIM and FLIP");
   app->add_option("--json", options->json, "write the results as JSON; - is standard output")
       ->type_name("FILE");
+  app->add_option("--report", options->report, "write a report with both pictures to DIR/index.html")
+      ->type_name("DIR");
   app->footer(
       "Example: plumb compare reference.exr mine.exr --tolerance 0.001\n"
       "Values are compared as they stand in the files; 8 and 16 bits count from 0 to 1.\n" +

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "references/approve.hpp"
 #include "tracer/scene/lexer.hpp"
 
 namespace plumb::cli {
@@ -106,6 +107,28 @@ View view_of(const Scene& scene, const SceneOptions& options) {
   const RenderRequest& request = scene.renders.front();
   return {scene.camera(options.camera.empty() ? request.camera : options.camera),
           size_of(options).value_or(references::Size{request.width, request.height})};
+}
+
+std::string picture_arguments(const SceneOptions& options) {
+  const SceneOptions usual;
+  std::string text;
+  const auto add = [&](const char* name, const std::string& value, const std::string& usual_value) {
+    if (value != usual_value) text += std::string(" ") + name + " " + references::shell_word(value);
+  };
+  add("--size", options.size, usual.size);
+  add("--camera", options.camera, usual.camera);
+  add("--depth", std::to_string(options.depth), std::to_string(usual.depth));
+  add("--glass-shadow", options.glass_shadow, usual.glass_shadow);
+  add("--real", options.real, usual.real);
+  add("--dialect", options.dialect, usual.dialect);
+  return text;
+}
+
+CLI::Option* add_report(CLI::App& app, std::string& directory) {
+  return app
+      .add_option("--report", directory,
+                  "write a report with all pictures to DIR/index.html, one page that needs no network")
+      ->type_name("DIR");
 }
 
 void flush_output() {

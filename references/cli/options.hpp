@@ -40,6 +40,13 @@ struct View {
 };
 View view_of(const Scene& scene, const SceneOptions& options);
 
+/// The options that change the picture and differ from the default, each with a blank before it, quoted for a
+/// shell.
+std::string picture_arguments(const SceneOptions& options);
+
+/// --report DIR
+CLI::Option* add_report(CLI::App& app, std::string& directory);
+
 /// --tolerance, finite and >= 0.
 void add_tolerance(CLI::App& app, double& tolerance);
 

@@ -9,6 +9,7 @@
 #include "references/cli/options.hpp"
 #include "references/cli/progress.hpp"
 #include "references/cli/report.hpp"
+#include "references/cli/scene_report.hpp"
 #include "references/junit.hpp"
 #include "tracer/image/files.hpp"
 
@@ -26,26 +27,11 @@ struct Options {
   std::string because;
   std::string json;
   std::string junit;
+  std::string report;
   double tolerance = 1e-6;
   int threads = 0;
   SceneOptions common;
 };
-
-/// The options that change the picture, each with a blank before it.
-std::string picture_arguments(const SceneOptions& options) {
-  const SceneOptions usual;
-  std::string text;
-  const auto add = [&](const char* name, const std::string& value, const std::string& usual_value) {
-    if (value != usual_value) text += std::string(" ") + name + " " + shell_word(value);
-  };
-  add("--size", options.size, usual.size);
-  add("--camera", options.camera, usual.camera);
-  add("--depth", std::to_string(options.depth), std::to_string(usual.depth));
-  add("--glass-shadow", options.glass_shadow, usual.glass_shadow);
-  add("--real", options.real, usual.real);
-  add("--dialect", options.dialect, usual.dialect);
-  return text;
-}
 
 references::RegressOptions regress_options(const Options& options) {
   references::RegressOptions regress;
@@ -56,6 +42,7 @@ references::RegressOptions regress_options(const Options& options) {
   regress.render = render_options_of(options.common);
   regress.real = real_of(options.common);
   regress.threads = options.threads;
+  regress.keeps_pictures = !options.report.empty();
   return regress;
 }
 
@@ -128,11 +115,17 @@ std::vector<RegressedScene> run(const Options& options, bool table) {
     progress.show((static_cast<double>(done) + fraction) / static_cast<double>(names.size()));
   };
   if (table) std::printf("%s\n", table_head(width).c_str());
-  return references::regress(options.directory, regress, [&](const RegressedScene& scene) {
+  SceneReport report(options.report, "plumb regress " + options.directory, options.tolerance);
+  SceneOptions explained = options.common;  // explain has no --real: it always traces in double
+  explained.real = SceneOptions{}.real;
+  const auto scenes = references::regress(options.directory, regress, [&](const RegressedScene& scene) {
     ++done;
     progress.clear();
     if (table) print_row(options, scene, width);
+    report.add(scene.result, picture_arguments(explained), approve_command(options, scene));
   });
+  report.finish();
+  return scenes;
 }
 
 int check(const Options& options) {
@@ -210,6 +203,7 @@ Command add_regress(CLI::App& plumb) {
   app->add_option("--json", options->json, "write the results as JSON; - is standard output")
       ->type_name("FILE")
       ->excludes(update_option);
+  add_report(*app, options->report)->excludes(update_option);
   app->add_option("--threads", options->threads, "threads; default: all")->check(CLI::Range(1, 1024));
   add_tolerance(*app, options->tolerance);
   add_real(*app, options->common);

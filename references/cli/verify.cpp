@@ -7,6 +7,7 @@
 #include "references/cli/options.hpp"
 #include "references/cli/progress.hpp"
 #include "references/cli/report.hpp"
+#include "references/cli/scene_report.hpp"
 
 namespace plumb::cli {
 namespace {
@@ -14,6 +15,7 @@ namespace {
 struct Options {
   std::vector<std::string> scenes;
   std::string json;
+  std::string report;
   double tolerance = 1e-6;
   bool stored = false;
   bool terms = false;
@@ -31,6 +33,7 @@ references::VerifyOptions verify_options(const Options& options) {
   verify.real = real_of(options.common);
   verify.stored = options.stored;
   verify.terms = options.terms;
+  verify.keeps_pictures = !options.report.empty();
   verify.jobs = options.jobs;
   verify.on_notice = warn;
   return verify;
@@ -42,7 +45,13 @@ int run_verify(const Options& options) {
   std::size_t done = 0;
   Progress progress("verifying");
   if (table) std::printf("%s\n", table_head(width).c_str());
-  const auto report = references::verify(options.scenes, verify_options(options), [&](const auto& result) {
+  SceneReport page(options.report, "plumb verify", options.tolerance);
+  // The real type is not explain's: it always traces in double.
+  SceneOptions explained = options.common;
+  explained.real = SceneOptions{}.real;
+  const auto report = references::verify(options.scenes, verify_options(options), [&](auto& result) {
+    page.add(result, picture_arguments(explained));
+    result.pictures.reset();
     progress.clear();
     if (table) {
       std::printf("%s\n", table_row(result, width).c_str());
@@ -51,6 +60,7 @@ int run_verify(const Options& options) {
     progress.show(static_cast<double>(++done) / static_cast<double>(options.scenes.size()));
   });
   progress.clear();
+  page.finish();
   if (!options.json.empty()) write_json(options.json, to_json(report));
   if (table) std::printf("%s\n", outcome(report).c_str());
   return report.exit_code();
@@ -74,6 +84,7 @@ Command add_verify(CLI::App& plumb) {
       ->check(CLI::Range(1, 256));
   app->add_option("--json", options->json, "write the results as JSON; - is standard output")
       ->type_name("FILE");
+  add_report(*app, options->report);
   add_real(*app, options->common);
   add_scene_options(*app, options->common);
   app->footer(

@@ -27,9 +27,10 @@ const std::map<std::string, std::set<std::string>>& allowed() {
       {"references",
        {"tracer/formulas", "tracer/scene", "tracer/image", "tracer/textbook", "exporters",
         "references/metrics"}},
+      {"references/report", {"tracer/image", "references"}},
       {"references/cli",
        {"tracer/formulas", "tracer/scene", "tracer/image", "tracer/textbook", "exporters", "references",
-        "references/metrics"}}};
+        "references/metrics", "references/report"}}};
   return table;
 }
 

@@ -1,0 +1,54 @@
+#include "references/cli/scene_report.hpp"
+
+#include <map>
+
+#include "references/approve.hpp"
+
+namespace plumb::cli {
+namespace {
+
+using references::PixelNote;
+using references::SceneResult;
+
+/// A note for each pixel over, with its rays where they were kept, and for the worst pixel.
+std::vector<PixelNote> notes_of(const SceneResult& result) {
+  std::map<std::pair<int, int>, std::string> rays;
+  for (const auto& [place, text] : result.pictures->explanations) rays[{place.x, place.y}] = text;
+  std::vector<PixelNote> notes;
+  for (const references::AttributedPixel& p : result.budget.pixels) {
+    const auto found = rays.find({p.x, p.y});
+    notes.push_back({p.x, p.y, references::to_string(p.cause), found == rays.end() ? "" : found->second});
+  }
+  return notes;
+}
+
+}  // namespace
+
+SceneReport::SceneReport(const std::string& directory, const std::string& title, double tolerance)
+    : tolerance_(tolerance) {
+  if (directory.empty()) return;
+  writer_ = std::make_unique<references::ReportWriter>(directory, title, "plumb " PLUMB_VERSION);
+}
+
+void SceneReport::add(const SceneResult& result, const std::string& options,
+                      const std::string& approve_command) {
+  if (!writer_) return;
+  references::ReportEntry entry;
+  entry.name = result.scene;
+  entry.result = scene_json(result);
+  entry.result["tolerance"] = tolerance_;
+  entry.approve_command = approve_command;
+  if (result.pictures) {
+    entry.reference = result.pictures->reference;
+    entry.test = result.pictures->ours;
+    entry.notes = notes_of(result);
+    entry.explain_command = "plumb explain" + options + " " + references::shell_word(result.scene);
+  }
+  writer_->add(entry);
+}
+
+void SceneReport::finish() {
+  if (writer_) writer_->finish();
+}
+
+}  // namespace plumb::cli

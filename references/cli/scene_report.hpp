@@ -1,0 +1,29 @@
+// The report of verify and regress: a page with every scene.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "references/cli/report.hpp"
+#include "references/report/report_writer.hpp"
+
+namespace plumb::cli {
+
+/// Adds scenes one by one and writes DIRECTORY/index.html at the end; without a directory it does nothing.
+class SceneReport {
+ public:
+  SceneReport(const std::string& directory, const std::string& title, double tolerance);
+
+  bool is_wanted() const { return writer_ != nullptr; }
+  /// `options` are those of plumb explain that the picture was made with, each with a blank before it.
+  void add(const references::SceneResult& result, const std::string& options,
+           const std::string& approve_command = "");
+  /// Throws std::runtime_error when the directory cannot be written.
+  void finish();
+
+ private:
+  std::unique_ptr<references::ReportWriter> writer_;
+  double tolerance_;
+};
+
+}  // namespace plumb::cli

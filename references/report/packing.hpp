@@ -1,0 +1,19 @@
+// Bytes made small, and made text.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace plumb::references {
+
+/// zlib format (RFC 1950), which browsers call "deflate". Throws std::runtime_error.
+std::string deflated(std::string_view bytes);
+
+/// RFC 4648, section 4, with padding.
+std::string base64(std::string_view bytes);
+
+/// A PNG (ISO/IEC 15948) of 8-bit samples, interleaved: 1 channel is grey, 3 are sRGB.
+std::string png(int width, int height, int channels, const std::vector<unsigned char>& samples);
+
+}  // namespace plumb::references

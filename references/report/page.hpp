@@ -1,0 +1,12 @@
+// The parts of a report put together.
+#pragma once
+
+#include <string>
+
+namespace plumb::references {
+
+/// A whole page that loads nothing from a network. `blocks` is HTML: the data, as script elements that are
+/// not run. When `has_side_files`, scripts that lie beside the page may be loaded, too.
+std::string assembled_page(const std::string& title, const std::string& blocks, bool has_side_files);
+
+}  // namespace plumb::references

@@ -1,0 +1,30 @@
+// What the report says of one scene.
+#pragma once
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "tracer/image/image.hpp"
+
+namespace plumb::references {
+
+/// Why a pixel is over the tolerance.
+struct PixelNote {
+  int x;
+  int y;
+  std::string cause;  ///< a key of the budget, e.g. "silhouette" or "unexplained"
+  std::string text;   ///< several lines, the ray tree; may be empty
+};
+
+struct ReportEntry {
+  std::string name;                              ///< path of the scene, or the names of the two pictures
+  nlohmann::ordered_json result;                 ///< the scene's object of --json; any key may be absent
+  std::shared_ptr<const Image> reference, test;  ///< of one size; both null for a scene in trouble
+  std::vector<PixelNote> notes;                  ///< pixels over the tolerance
+  std::string explain_command;  ///< " X Y" is added, e.g. "plumb explain scene.sdf"; may be empty
+  std::string approve_command;  ///< makes this picture the baseline; may be empty
+};
+
+}  // namespace plumb::references

@@ -1,0 +1,12 @@
+// The page's own parts, bundled from references/report/web when plumb is built.
+#pragma once
+
+#include <string_view>
+
+namespace plumb::references::web {
+
+extern const std::string_view page;   ///< HTML with {{title}}, {{policy}}, {{style}}, {{data}} and {{script}}
+extern const std::string_view style;  ///< CSS
+extern const std::string_view script;  ///< one classic script
+
+}  // namespace plumb::references::web

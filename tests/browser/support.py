@@ -1,0 +1,112 @@
+"""A report, opened in headless Chromium from its file."""
+import os
+import subprocess
+import tempfile
+import unittest
+from urllib.parse import quote
+
+from selenium import webdriver
+from selenium.webdriver.common.action_chains import ActionChains
+from selenium.webdriver.common.by import By
+from selenium.webdriver.chrome.service import Service
+from selenium.webdriver.support.ui import WebDriverWait
+
+RED_GREEN = "scenes/red-green.sdf"
+VALUES = "scenes/values.sdf"
+SAME = "scenes/same.sdf"
+
+
+def new_browser():
+    options = webdriver.ChromeOptions()
+    for argument in ("--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--hide-scrollbars"):
+        options.add_argument(argument)
+    options.binary_location = "/usr/bin/chromium"
+    options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
+    return webdriver.Chrome(service=Service("/usr/bin/chromedriver"), options=options)
+
+
+class ReportTest(unittest.TestCase):
+    """One report and one browser for all tests of a class; each test starts at the overview."""
+    kind = "few"
+
+    @classmethod
+    def setUpClass(cls):
+        cls.place = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(cls.place.cleanup)
+        subprocess.run([os.environ["PLUMB_MAKE_REPORTS"], cls.place.name, cls.kind], check=True)
+        cls.url = "file://" + cls.place.name + "/index.html"
+        cls.browser = new_browser()
+        cls.addClassCleanup(cls.browser.quit)
+
+    def setUp(self):
+        self.resize(1440, 900)
+        self.open("")
+
+    def tearDown(self):
+        self.assertEqual([], [line for line in self.browser.get_log("browser") if line["level"] == "SEVERE"])
+
+    def resize(self, width, height, scheme="light"):
+        self.browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
+            "width": width, "height": height, "deviceScaleFactor": 1, "mobile": False})
+        self.browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {
+            "features": [{"name": "prefers-color-scheme", "value": scheme}]})
+
+    def open(self, fragment):
+        self.browser.get("about:blank")  # another fragment alone would not load the page again
+        self.browser.get(self.url + fragment)
+
+    def open_scene(self, name, more=""):
+        self.open("#scene=" + quote(name, safe="") + more)
+        self.wait_for_scene(name)
+
+    def wait_for_scene(self, name):
+        self.wait(lambda: self.script("return document.querySelector('main.scene')?.dataset.ready") == name)
+        self.wait(lambda: self.script("return document.querySelector('.pane canvas')?.dataset.transform"))
+
+    def wait(self, condition, seconds=20):
+        return WebDriverWait(self.browser, seconds, poll_frequency=0.05).until(lambda _: condition())
+
+    def script(self, text, *arguments):
+        return self.browser.execute_script(text, *arguments)
+
+    def find(self, selector):
+        return self.browser.find_element(By.CSS_SELECTOR, selector)
+
+    def all(self, selector):
+        return self.browser.find_elements(By.CSS_SELECTOR, selector)
+
+    def text(self, selector):
+        return self.find(selector).text
+
+    def press(self, *keys):
+        ActionChains(self.browser).send_keys(*keys).perform()
+
+    def button(self, label):
+        return next(each for each in self.all("button") if each.text == label and each.is_displayed())
+
+    def transforms(self):
+        """(scale, x, y) of every pane."""
+        texts = self.script("return [...document.querySelectorAll('.pane canvas')].map((c) => c.dataset.transform)")
+        return [tuple(float(number) for number in text.split()) for text in texts]
+
+    def colour(self, pane, fraction_x, fraction_y=0.5):
+        """r g b on the screen, at fractions of a pane, after what is under way was drawn."""
+        return self.browser.execute_async_script("""
+            const [pane, x, y, done] = arguments;
+            requestAnimationFrame(() => requestAnimationFrame(() => {
+              const canvas = document.querySelectorAll('.pane canvas')[pane];
+              done([...canvas.getContext('2d').getImageData(x * canvas.width, y * canvas.height, 1, 1).data].slice(0, 3));
+            }));""", pane, fraction_x, fraction_y)
+
+    def to_pixel(self, x, y, pane=0):
+        """Moves the pointer over a pixel of the picture; returns the actions, to be gone on with."""
+        canvas = self.all(".pane canvas")[pane]
+        scale, left, top = self.transforms()[pane]
+        size = canvas.size
+        offset_x = round(left + scale * (x + 0.5) - size["width"] / 2)
+        offset_y = round(top + scale * (y + 0.5) - size["height"] / 2)
+        return ActionChains(self.browser).move_to_element_with_offset(canvas, offset_x, offset_y)
+
+    def readout(self):
+        """[[reference, test, difference] of R, G, B]"""
+        return [[cell.text for cell in row.find_elements(By.TAG_NAME, "td")] for row in self.all(".readout tbody tr")]
