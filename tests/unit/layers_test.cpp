@@ -23,8 +23,10 @@ const std::map<std::string, std::set<std::string>>& allowed() {
       {"tracer/textbook", {"tracer/formulas", "tracer/scene", "tracer/image"}},
       {"exporters", {"tracer/formulas", "tracer/scene"}},
       {"references", {"tracer/formulas", "tracer/scene", "tracer/image", "tracer/textbook", "exporters"}},
+      {"references/faults", {"tracer/formulas", "tracer/scene", "tracer/image", "tracer/textbook"}},
       {"references/cli",
-       {"tracer/formulas", "tracer/scene", "tracer/image", "tracer/textbook", "exporters", "references"}}};
+       {"tracer/formulas", "tracer/scene", "tracer/image", "tracer/textbook", "exporters", "references",
+        "references/faults"}}};
   return table;
 }
 
