@@ -76,7 +76,15 @@ Experiment moved_as_a_whole(std::size_t index, const Subject& s, const std::stri
   return scene_change(index, kind, false, std::move(scene), std::move(camera));
 }
 
-Image decoded(const Image& image, bool rounds) {
+Experiment of_8_bits(std::size_t subject, bool rounds) {
+  return {subject, rounds ? "8 bits, rounded" : "8 bits, truncated", false,
+          rounds ? Made::bits8_rounded : Made::bits8_truncated,
+          [rounds](const Subject& s) { return decoded_8_bits(s.right, rounds); }};
+}
+
+}  // namespace
+
+Image decoded_8_bits(const Image& image, bool rounds) {
   Image held = image;
   for (float& c : held.rgb) {
     const auto byte = truncated_to_8_bits(rounds ? c + 0.5F / 255 : c);
@@ -84,14 +92,6 @@ Image decoded(const Image& image, bool rounds) {
   }
   return held;
 }
-
-Experiment of_8_bits(std::size_t subject, bool rounds) {
-  return {subject, rounds ? "8 bits, rounded" : "8 bits, truncated", false,
-          rounds ? Made::bits8_rounded : Made::bits8_truncated,
-          [rounds](const Subject& s) { return decoded(s.right, rounds); }};
-}
-
-}  // namespace
 
 std::vector<Experiment> fault_experiments(const std::vector<Subject>& subjects, std::mt19937& random) {
   std::vector<Experiment> all;
@@ -116,7 +116,7 @@ std::vector<Experiment> benign_experiments(const std::vector<Subject>& subjects,
   std::vector<Experiment> all;
   for (std::size_t i = 0; i < subjects.size(); ++i) {
     const std::uint32_t seed = static_cast<std::uint32_t>(random());
-    all.push_back({i, "samples within 1e-6 pixels", false, Made::in_double,
+    all.push_back({i, "samples within 1e-6 pixels", false, Made::sampled_nearby,
                    [seed](const Subject& s) { return with_jitter(s, seed); }});
     all.push_back(of_job(i, "float", Made::in_float, RealType::float32, 1));
     all.push_back(of_job(i, "long double", Made::in_double, RealType::long_double, 1));

@@ -14,6 +14,7 @@ namespace plumb::gate_power {
 enum class Made {
   in_double,       ///< linear float32 colours, computed in double or better
   in_float,        ///< linear float32 colours, computed in float32
+  sampled_nearby,  ///< linear float32 colours, computed in double, samples within 1e-6 pixels of the centres
   bits8_rounded,   ///< linear, 0..1 rounded to 8 bits
   bits8_truncated  ///< linear, 0..1 truncated to 8 bits, as the course's framework does
 };
@@ -35,6 +36,9 @@ struct Experiment {
   Made made;
   std::function<Image(const Subject&)> render;
 };
+
+/// What a file of 8 linear bits holds of a picture, decoded.
+Image decoded_8_bits(const Image& image, bool rounds);
 
 /// Every fault of the catalogue on every scene, and parameters of every scene off by 0.1 to 5 %.
 std::vector<Experiment> fault_experiments(const std::vector<Subject>& subjects, std::mt19937& random);

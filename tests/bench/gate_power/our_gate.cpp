@@ -5,7 +5,7 @@
 
 #include "references/attribution.hpp"
 #include "references/comparison.hpp"
-#include "tracer/textbook/tracer.hpp"
+#include "tests/bench/gate_power/resolution.hpp"
 
 namespace plumb::gate_power {
 namespace {
@@ -43,10 +43,11 @@ Budget budget_of(const Subject& s, const Image& given, references::Precision pre
   return references::attribute({s.scene, s.camera, s.job.options, given, s.right, tolerance, precision});
 }
 
-/// Proving a pixel takes thousands of rays, and one unexplained pixel decides: the plainest ones are tried
-/// first, a few at a time.
-bool all_are_explained(const Subject& s, const Image& given, references::Precision precision) {
-  std::vector<PixelPlace> over = references::pixels_over(given, s.right, tolerance);
+/// Whether a condition holds for all pixels over the tolerance. Proving a pixel takes thousands of rays, and
+/// one unexplained pixel decides: the plainest ones are tried first, a few at a time.
+template <class Condition>
+bool holds_for_all_over(const Subject& s, const Image& given, const Condition& holds) {
+  const std::vector<PixelPlace> over = references::pixels_over(given, s.right, tolerance);
   std::vector<std::pair<double, std::size_t>> order;
   for (std::size_t i = 0; i < over.size(); ++i) order.emplace_back(contrast(s.right, over[i]), i);
   std::sort(order.begin(), order.end());
@@ -54,68 +55,22 @@ bool all_are_explained(const Subject& s, const Image& given, references::Precisi
     std::vector<PixelPlace> some;
     for (std::size_t i = begin; i < std::min(begin + size, order.size()); ++i)
       some.push_back(over[order[i].second]);
-    if (budget_of(s, with_pixels_of(s.right, given, some), precision).count(Cause::unexplained) > 0)
-      return false;
-  }
-  if (over.empty()) return true;
-  return references::broken_bound(budget_of(s, given, precision), given.width, given.height).empty();
-}
-
-/// Every length of the scene off by up to 2^-20 of itself: float32 rounds each to 2^-24, and the dozens of
-/// operations on the way to a colour add up.
-Subject as_float_may_see_it(const Subject& exact, std::mt19937& random) {
-  std::uniform_real_distribution<double> rounding(-0x1p-20, 0x1p-20);
-  const auto scatter = [&](Vec3d& v) {
-    const double size = glm::length(v);
-    v += size * Vec3d(rounding(random), rounding(random), rounding(random));
-  };
-  Subject s = exact;
-  for (Shape& shape : s.scene.shapes) {
-    if (auto* sphere = std::get_if<Sphere>(&shape.geometry)) {
-      scatter(sphere->center);
-      sphere->radius *= 1 + rounding(random);
-    } else if (auto* box = std::get_if<Box>(&shape.geometry)) {
-      scatter(box->min);
-      scatter(box->max);
-      box->max = glm::max(box->min, box->max);
-    }
-  }
-  for (Light& light : s.scene.lights) scatter(light.position);
-  scatter(s.camera.eye);
-  scatter(s.camera.direction);
-  return s;
-}
-
-/// The range of each pixel's colours when lengths are rounded like that, several times at random.
-struct Range {
-  Image least;
-  Image most;
-};
-
-Range range_of_float(const Subject& s) {
-  constexpr int tries = 24;
-  std::mt19937 random(1);  // any seed: the ranges are to be the same every time
-  Range range{s.right, s.right};
-  for (int i = 0; i < tries; ++i) {
-    const Subject other = as_float_may_see_it(s, random);
-    const Image outcome = textbook::render(other.scene, other.camera, other.job);
-    for (std::size_t k = 0; k < outcome.rgb.size(); ++k) {
-      range.least.rgb[k] = std::min(range.least.rgb[k], outcome.rgb[k]);
-      range.most.rgb[k] = std::max(range.most.rgb[k], outcome.rgb[k]);
-    }
-  }
-  return range;
-}
-
-/// Within the range, widened by itself on both sides and by 2^-20 of the value.
-bool is_within_float(const Range& range, const Image& given) {
-  for (std::size_t k = 0; k < given.rgb.size(); ++k) {
-    const double least = range.least.rgb[k];
-    const double most = range.most.rgb[k];
-    const double slack = most - least + 0x1p-20 * std::max(1.0, most);
-    if (!(given.rgb[k] >= least - slack && given.rgb[k] <= most + slack)) return false;
+    if (!holds(with_pixels_of(s.right, given, some))) return false;
   }
   return true;
+}
+
+bool all_are_explained(const Subject& s, const Image& given, references::Precision precision) {
+  const auto is_explained = [&](const Image& some) {
+    return budget_of(s, some, precision).count(Cause::unexplained) == 0;
+  };
+  return holds_for_all_over(s, given, is_explained) &&
+         references::broken_bound(budget_of(s, given, precision), given.width, given.height).empty();
+}
+
+bool all_are_within(const Subject& s, const Image& given, const Resolution& resolution) {
+  return holds_for_all_over(s, given,
+                            [&](const Image& some) { return is_within_resolution(s, some, resolution); });
 }
 
 /// Truncated values stand in the middle of what they can have been.
@@ -130,7 +85,9 @@ Image centred(const Image& truncated) {
 bool passes_our_gate(const Subject& subject, const Image& given, Made made) {
   switch (made) {
     case Made::in_float:
-      return is_within_float(range_of_float(subject), given);
+      return all_are_within(subject, given, float_resolution);
+    case Made::sampled_nearby:
+      return all_are_within(subject, given, nearby_resolution);
     case Made::bits8_rounded:
       return all_are_explained(subject, given, references::Precision::bits8);
     case Made::bits8_truncated:
