@@ -2,8 +2,9 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 
-#include "tracer/formulas/real.hpp"
+#include "tracer/formulas/ray.hpp"
 
 namespace plumb::formulas {
 
@@ -11,6 +12,20 @@ namespace plumb::formulas {
 template <class Real>
 Vec3<Real> facing_normal(const Vec3<Real>& normal, const Vec3<Real>& direction) {
   return glm::dot(normal, direction) > 0 ? -normal : normal;
+}
+
+/// A ray that has hit something, and where all rays of the picture come from.
+template <class Real>
+struct Sight {
+  Vec3<Real> direction;  ///< of the ray, unit length
+  Vec3<Real> point;      ///< that it sees
+  Vec3<Real> eye;
+};
+
+/// Slide "Phong": v, from the point back along the ray that sees it: to the eye only for the first ray.
+template <class Real>
+Vec3<Real> toward_viewer(const Sight<Real>& sight) {
+  return -sight.direction;
 }
 
 /// Slide "Lambert": n.l; a light counts only when this is positive.
@@ -32,6 +47,12 @@ Toward<Real> toward_light(const Vec3<Real>& point, const Vec3<Real>& light) {
   const Vec3<Real> offset = light - point;
   const Real distance = glm::length(offset);
   return {offset / distance, distance};
+}
+
+/// Slide "Lambert": Ip, the same at every distance.
+template <class Real>
+Rgb<Real> arriving_light(const Rgb<Real>& intensity, [[maybe_unused]] Real distance) {
+  return intensity;
 }
 
 /// Decision: a light counts, diffuse and specular, only when n.l > 0.
@@ -66,6 +87,39 @@ Rgb<Real> reflected_intensity(const Rgb<Real>& intensity, const Rgb<Real>& delta
                               Real diffuse_factor, const Rgb<Real>& ks, Real specular_factor) {
   return intensity * delta * (kd * diffuse_factor + ks * specular_factor);
 }
+
+/// Slide "Vollstaendiges Modell": the sum over all lights, begun with Ia ka; a hidden light adds 0.
+template <class Real>
+Rgb<Real> with_light(const Rgb<Real>& so_far, [[maybe_unused]] const Rgb<Real>& ambient,
+                     const Rgb<Real>& light) {
+  return so_far + light;
+}
+
+/// The way from a lit point to a light.
+template <class Real>
+struct ShadowRay {
+  Ray<Real> ray;  ///< of unit direction
+  Real light_distance;
+  bool knows_its_surface;  ///< where it starts, so that it does not meet it again
+};
+
+/// Slide "Schatten": from the point itself along l. Decision: it knows the surface that it leaves, so it
+/// needs no offset.
+template <class Real>
+ShadowRay<Real> shadow_ray(const Vec3<Real>& point, [[maybe_unused]] const Vec3<Real>& n,
+                           const Toward<Real>& to_light, [[maybe_unused]] const Vec3<Real>& light) {
+  return {{point, to_light.direction}, to_light.distance, true};
+}
+
+/// Objects on the way to a light, by their numbers in the world.
+struct Blocking {
+  std::uint64_t candidate;
+  std::uint64_t lit;   ///< the one that is to be lit
+  std::uint64_t last;  ///< of all
+};
+
+/// Slide "Schatten": ANY object may block the light, the lit one too.
+constexpr bool may_block([[maybe_unused]] const Blocking& objects) { return true; }
 
 /// Slide "Schatten": an object at t blocks the light when it lies strictly between the point (t = 0)
 /// and the light (t = light_distance).

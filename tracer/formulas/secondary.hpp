@@ -27,6 +27,15 @@ std::optional<Vec3<Real>> refracted_direction(const Vec3<Real>& d, const Vec3<Re
   return ratio * d + (ratio * cos_i - sqrt(cos_t_squared)) * n;
 }
 
+/// Decision: the recursion ends with trace(depth >= D), which is black; the first ray has depth 0.
+constexpr bool is_too_deep(int depth, int limit) { return depth >= limit; }
+
+/// Decision: total internal reflection has weight 1 and replaces the refracted and the mirrored ray.
+template <class Real>
+Rgb<Real> colour_at_total_reflection(const Rgb<Real>& local, const Rgb<Real>& reflected) {
+  return local + reflected;
+}
+
 /// Decision: colour = local + kr R + kt T, additive, no Fresnel term.
 template <class Real>
 Rgb<Real> combined_colour(const Rgb<Real>& local, const Rgb<Real>& kr, const Rgb<Real>& mirrored,

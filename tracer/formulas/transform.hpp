@@ -101,5 +101,34 @@ Ray<Real> transform_ray(const Mat4<Real>& m, const Ray<Real>& ray) {
   return {transform_point(m, ray.origin), transform_vector(m, ray.direction)};
 }
 
+/// Slide "Kameratransformation": C times a ray of camera space; the world ray is of unit direction.
+template <class Real>
+Ray<Real> world_ray(const Mat4<Real>& camera_matrix, const Ray<Real>& in_camera) {
+  const Ray<Real> ray = transform_ray(camera_matrix, in_camera);
+  return {ray.origin, glm::normalize(ray.direction)};
+}
+
+/// A hit as it is seen on both sides of a node's matrix.
+template <class Real>
+struct HitInTwoSpaces {
+  const Transform<Real>& parent_from_object;
+  const Ray<Real>& parent_ray;
+  Real t;
+  Vec3<Real> object_point;
+  bool is_composite;  ///< what the matrix places: an inner node, or a sphere or a box
+};
+
+/// Slide "Objekttransformation": t is valid in both spaces, so the point in the parent's is p0 + t d there.
+template <class Real>
+Vec3<Real> point_in_parent(const HitInTwoSpaces<Real>& hit) {
+  return point_at(hit.parent_ray, hit.t);
+}
+
+/// Slide "Anwendung": a normal is normalised again once it has been transformed.
+template <class Real>
+Vec3<Real> unit_normal(const Vec3<Real>& n) {
+  return glm::normalize(n);
+}
+
 }  // namespace formulas
 }  // namespace plumb

@@ -44,6 +44,7 @@ struct Material {
 /// What shading needs to know of a hit, found once the nearest hit is known.
 template <class Real>
 struct Surface {
+  Vec3<Real> point;   ///< of the hit, in the space of the caller
   Vec3<Real> normal;  ///< outward, in the space of the caller, of any length
   const Material<Real>* material;
   ShapeId shape;
@@ -53,16 +54,19 @@ struct Surface {
 template <class Real, class Formulas>
 struct Query {
   const Formulas& formulas;
-  SurfaceId start;             ///< where the ray starts: that surface is not met again at t = 0
-  Real t_min;                  ///< hits up to here cannot be told from the start by rounding
-  bool is_shadow_ray = false;  ///< any hit that blocks the light is enough, it need not be the nearest
-  Real light_distance = 0;     ///< of a shadow ray
+  SurfaceId start;                ///< where the ray starts: that surface is not met again at t = 0
+  Real t_min;                     ///< hits up to here cannot be told from the start by rounding
+  bool is_shadow_ray = false;     ///< any hit that blocks the light is enough, it need not be the nearest
+  Real light_distance = 0;        ///< of a shadow ray
+  InstanceId lit = no_instance;   ///< that a shadow ray comes from
+  InstanceId last = no_instance;  ///< of the world
 
   /// Whether a hit counts and comes before the nearest so far. Two that rounding cannot tell apart are one
   /// place, and the first in the order of the file is taken: so coincident surfaces are crossed once.
-  bool is_nearer(Real t, Real nearest) const {
+  bool is_nearer(InstanceId self, Real t, Real nearest) const {
     return formulas->is_ahead(t, t_min) && formulas->is_nearer(t, nearest, t_min + rounding * t) &&
-           (!is_shadow_ray || formulas->blocks_light(t, light_distance));
+           (!is_shadow_ray ||
+            (formulas->blocks_light(t, light_distance) && formulas->may_block({self, lit, last})));
   }
 
   /// Roundings on the way from a ray to t, in units of the last place: matrices, two dot products, a root.
@@ -81,6 +85,7 @@ class Shape {
   Shape& operator=(const Shape&) = delete;
 
   virtual InstanceId instances() const = 0;
+  virtual bool is_composite() const { return false; }
 
   /// Replaces `nearest` where a hit with 0 < t < nearest.t lies below this node. `ray` is in the parent's
   /// space; `first` is the number of the first instance below this node on the path taken.
@@ -90,13 +95,15 @@ class Shape {
     intersect_here(query, query.formulas->transform_ray(parent_from_object_.inverse, ray), first, nearest);
   }
 
-  /// The surface of a hit below this node, its normal in the parent's space, by (M^-1)^T.
+  /// The surface of a hit below this node in the parent's space, its normal by (M^-1)^T.
   Surface<Real> surface(const Query<Real, Formulas>& query, const Ray<Real>& ray, InstanceId first,
                         const Hit<Real>& hit) const {
     if (is_identity_) return surface_here(query, ray, first, hit);
     Surface<Real> found =
         surface_here(query, query.formulas->transform_ray(parent_from_object_.inverse, ray), first, hit);
     found.normal = query.formulas->transform_normal(parent_from_object_.inverse, found.normal);
+    found.point =
+        query.formulas->point_in_parent({parent_from_object_, ray, hit.t, found.point, is_composite()});
     return found;
   }
 
@@ -128,12 +135,12 @@ class Sphere final : public Shape<Real, Formulas> {
   void intersect_here(const Query<Real, Formulas>& query, const Ray<Real>& ray, InstanceId self,
                       Hit<Real>& nearest) const override {
     const auto t = query.formulas->intersect_sphere(ray, center_, radius_, query.start.instance == self);
-    if (t && query.is_nearer(*t, nearest.t)) nearest = {*t, {self, no_face}};
+    if (t && query.is_nearer(self, *t, nearest.t)) nearest = {*t, {self, no_face}};
   }
   Surface<Real> surface_here(const Query<Real, Formulas>& query, const Ray<Real>& ray, InstanceId,
                              const Hit<Real>& hit) const override {
     const Vec3<Real> point = query.formulas->point_at(ray, hit.t);
-    return {query.formulas->sphere_normal(point, center_), &material_, shape_};
+    return {point, query.formulas->sphere_normal(point, center_), &material_, shape_};
   }
 
   Vec3<Real> center_;
@@ -159,11 +166,12 @@ class Box final : public Shape<Real, Formulas> {
                       Hit<Real>& nearest) const override {
     const Face start = query.start.instance == self ? query.start.face : no_face;
     const auto hit = query.formulas->intersect_box(ray, corners_, start);
-    if (hit && query.is_nearer(hit->t, nearest.t)) nearest = {hit->t, {self, hit->face}};
+    if (hit && query.is_nearer(self, hit->t, nearest.t)) nearest = {hit->t, {self, hit->face}};
   }
-  Surface<Real> surface_here(const Query<Real, Formulas>& query, const Ray<Real>&, InstanceId,
+  Surface<Real> surface_here(const Query<Real, Formulas>& query, const Ray<Real>& ray, InstanceId,
                              const Hit<Real>& hit) const override {
-    return {query.formulas->box_normal(hit.surface.face), &material_, shape_};
+    return {query.formulas->point_at(ray, hit.t), query.formulas->box_normal(hit.surface.face), &material_,
+            shape_};
   }
 
   Corners<Real> corners_;
@@ -185,6 +193,7 @@ class Composite final : public Shape<Real, Formulas> {
   }
 
   InstanceId instances() const override { return instances_; }
+  bool is_composite() const override { return true; }
 
  private:
   void intersect_here(const Query<Real, Formulas>& query, const Ray<Real>& ray, InstanceId first,

@@ -23,6 +23,7 @@ class Tracer {
         options_(options),
         observer_(observer) {
     const CameraPose<Real> pose = f_->camera_pose(camera);
+    eye_ = pose.eye;
     world_from_camera_ = f_->camera_matrix(pose.eye, pose.direction, pose.up);
     distance_ = f_->image_plane_distance(static_cast<Real>(camera.fov_x_degrees));
     for (const EnclosingDielectric& around : world.dielectrics_around(camera)) {
@@ -33,8 +34,7 @@ class Tracer {
   /// Linear colour of the pixel centre; row 0 is the top row.
   Rgb<Real> raycast(int x, int y) const {
     const Vec2<Real> on_plane = f_->image_plane_point(x, y, width_, height_);
-    Ray<Real> ray = f_->transform_ray(world_from_camera_, f_->camera_ray(on_plane, distance_));
-    ray.direction = glm::normalize(ray.direction);
+    const Ray<Real> ray = f_->world_ray(world_from_camera_, f_->camera_ray(on_plane, distance_));
     return trace(RayKind::camera, ray, {}, around_the_eye_, 0);
   }
 
@@ -50,7 +50,7 @@ class Tracer {
 
   Rgb<Real> follow(const Ray<Real>& ray, SurfaceId start, const Interiors<Real>& interiors, int depth,
                    int unbent) const {
-    if (depth >= options_.depth) {
+    if (f_->is_too_deep(depth, options_.depth)) {
       observer_.is_black_at_depth_limit();
       return Rgb<Real>(0);
     }
@@ -63,13 +63,15 @@ class Tracer {
                   int unbent) const {
     const Surface<Real> surface = world_.surface(ray, hit);
     const Material<Real>& material = *surface.material;
-    const Vec3<Real> point = f_->point_at(ray, hit.t);
-    const Vec3<Real> n = f_->facing_normal(glm::normalize(surface.normal), ray.direction);
+    const Vec3<Real>& point = surface.point;
+    const Vec3<Real> n = f_->facing_normal(f_->unit_normal(surface.normal), ray.direction);
+    const Vec3<Real> v = f_->toward_viewer({ray.direction, point, eye_});
     observer_.meets(hit, surface, point, n);
 
-    Rgb<Real> colour = f_->ambient_light(world_.ambient(), material.ka);
+    const Rgb<Real> ambient = f_->ambient_light(world_.ambient(), material.ka);
+    Rgb<Real> colour = ambient;
     for (std::size_t light = 0; light < world_.lights().size(); ++light)
-      colour += lit_by(light, point, n, -ray.direction, hit, material);
+      colour = f_->with_light(colour, ambient, lit_by(light, point, n, v, hit, material));
     if (!material.transmits && !material.mirrors) return colour;
 
     const Ray<Real> mirrored{point, f_->mirror_direction(ray.direction, n)};
@@ -79,7 +81,8 @@ class Tracer {
       const Real ratio = beyond.cross(hit.surface.instance, material.eta);
       const auto bent = ratio == 1 ? ray.direction : f_->refracted_direction(ray.direction, n, ratio);
       if (!bent)
-        return colour + trace(RayKind::totally_reflected, mirrored, hit.surface, interiors, depth + 1);
+        return f_->colour_at_total_reflection(
+            colour, trace(RayKind::totally_reflected, mirrored, hit.surface, interiors, depth + 1));
       refracted = ratio == 1 ? go_on_unbent({point, *bent}, hit.surface, beyond, depth, unbent)
                              : trace(RayKind::refracted, {point, *bent}, hit.surface, beyond, depth + 1);
     }
@@ -96,26 +99,27 @@ class Tracer {
     const auto to_light = f_->toward_light(point, light.position);
     LightSeen<Real> seen{f_->diffuse_factor(n, to_light.direction), to_light.distance, false};
     seen.counts = f_->light_counts(seen.cos_theta);
-    if (seen.counts) see({point, to_light.direction}, hit.surface, n, v, material.m, seen);
+    if (seen.counts) {
+      seen.delta = visibility(f_->shadow_ray(point, n, to_light, light.position), hit.surface, seen.blocker);
+      if (seen.delta != Rgb<Real>(0)) {
+        seen.specular_factor = f_->specular_factor(f_->reflected_light(n, to_light.direction), v, material.m);
+      }
+    }
     observer_.is_lit_by(index, seen);
     if (seen.delta == Rgb<Real>(0)) return seen.delta;
-    return f_->reflected_intensity(light.intensity, seen.delta, material.kd, seen.cos_theta, material.ks,
+    const Rgb<Real> intensity = f_->arriving_light(light.intensity, to_light.distance);
+    return f_->reflected_intensity(intensity, seen.delta, material.kd, seen.cos_theta, material.ks,
                                    seen.specular_factor);
   }
 
   /// Slide "Schatten": 0 where an object lies strictly between, else 1; glass as the options say.
-  void see(const Ray<Real>& to_light, SurfaceId start, const Vec3<Real>& n, const Vec3<Real>& v, Real m,
-           LightSeen<Real>& seen) const {
-    if (!options_.shadows) {
-      seen.delta = Rgb<Real>(1);
-    } else if (options_.glass_shadow == GlassShadow::full) {
-      seen.blocker = world_.blocker(to_light, start, seen.distance);
-      seen.delta = Rgb<Real>(seen.blocker.surface.instance == no_instance ? 1 : 0);
-    } else {
-      seen.delta = visibility_through_glass(to_light, start, seen.distance, seen.blocker);
-    }
-    if (seen.delta != Rgb<Real>(0))
-      seen.specular_factor = f_->specular_factor(f_->reflected_light(n, to_light.direction), v, m);
+  Rgb<Real> visibility(const formulas::ShadowRay<Real>& shadow, SurfaceId lit, Hit<Real>& blocker) const {
+    if (!options_.shadows) return Rgb<Real>(1);
+    const SurfaceId start = shadow.knows_its_surface ? lit : SurfaceId{};
+    if (options_.glass_shadow != GlassShadow::full)
+      return visibility_through_glass(shadow.ray, start, shadow.light_distance, blocker);
+    blocker = world_.blocker(shadow.ray, start, shadow.light_distance, lit.instance);
+    return Rgb<Real>(blocker.surface.instance == no_instance ? 1 : 0);
   }
 
   Rgb<Real> visibility_through_glass(Ray<Real> ray, SurfaceId start, Real distance,
@@ -159,6 +163,7 @@ class Tracer {
   Observer observer_;
   Mat4<Real> world_from_camera_;
   Real distance_;
+  Vec3<Real> eye_;
   Interiors<Real> around_the_eye_;
 };
 

@@ -56,11 +56,12 @@ class World {
     return nearest;
   }
 
-  /// Any object that blocks the light which lies in the unit direction of the ray; of no instance if none
-  /// does.
-  Hit<Real> blocker(const Ray<Real>& ray, SurfaceId start, Real light_distance) const {
+  /// Any object that blocks the light which lies in the unit direction of the ray, from the instance `lit`;
+  /// of no instance if none does.
+  Hit<Real> blocker(const Ray<Real>& ray, SurfaceId start, Real light_distance, InstanceId lit) const {
     Hit<Real> found;
-    root_->intersect({formulas_, start, smallest_t(ray), true, light_distance}, ray, 0, found);
+    root_->intersect({formulas_, start, smallest_t(ray), true, light_distance, lit, instances() - 1}, ray, 0,
+                     found);
     return found;
   }
 

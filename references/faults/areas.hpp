@@ -1,0 +1,17 @@
+// The catalogue's parts, one for each area of the lecture.
+#pragma once
+
+#include "references/faults/fault.hpp"
+
+namespace plumb::references::faults {
+
+std::vector<Fault> of_the_camera();
+std::vector<Fault> of_the_lighting();
+std::vector<Fault> of_the_lights();
+std::vector<Fault> of_the_shadows();
+std::vector<Fault> of_the_transforms();
+std::vector<Fault> of_the_shapes();
+std::vector<Fault> of_the_recursion();
+std::vector<Fault> of_the_output();
+
+}  // namespace plumb::references::faults

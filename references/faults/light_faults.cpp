@@ -1,0 +1,64 @@
+// Slides "Ambient" and "Vollstaendiges Modell": all lights together.
+#include <utility>
+
+#include "references/faults/areas.hpp"
+
+namespace plumb::references::faults {
+namespace {
+
+void swap_ka_and_kd(Subject& s) {
+  for (Material& material : s.scene.materials) std::swap(material.ka, material.kd);
+}
+
+void keep_the_last_light(Subject& s) {
+  auto& lights = s.scene.lights;
+  if (lights.size() > 1) lights.erase(lights.begin(), lights.end() - 1);
+}
+
+void average_lights(Subject& s) {
+  for (Light& light : s.scene.lights) light.brightness /= static_cast<double>(s.scene.lights.size());
+}
+
+}  // namespace
+
+std::vector<Fault> of_the_lights() {
+  return {
+      {"ambient-per-light", 17, "Ambient", "The ambient term is added once for each light.",
+       "I = sum (Ia ka + ...)", "I = Ia ka + sum ...", "1 of 42", "several-lights.sdf",
+       [](Subject& s) { s.scene.ambient *= static_cast<double>(s.scene.lights.size()); }, nullptr},
+      {"ambient-hard-coded", 17, "Ambient", "The ambient light is a constant of the program.", "0.1 ka",
+       "Ia ka", "3 of 42", "ambient.sdf", [](Subject& s) { s.scene.ambient = Rgbd(0.1); }, nullptr},
+      {"background-as-ambient", 17, "Ambient", "The background's colour is used as the ambient light.",
+       "background ka", "Ia ka", "1 of 42", "ambient.sdf",
+       [](Subject& s) { s.scene.ambient = s.scene.background; }, nullptr},
+      {"ka-kd-swapped", 17, "Ambient", "ka and kd have changed places.", "Ia kd + Ip ka (n.l)",
+       "Ia ka + Ip kd (n.l)", "1 of 42", "full-model.sdf", &swap_ka_and_kd, nullptr},
+      {"last-light-only", 17, "Vollstaendiges Modell", "Each light replaces what the ones before it gave.",
+       "I = Ia ka + term of the last light", "I = Ia ka + sum of all lights' terms", "1 of 42",
+       "several-lights.sdf", &keep_the_last_light, nullptr},
+      {"light-colour-ignored", 18, "Vollstaendiges Modell", "All light is white.", "Ip = brightness",
+       "Ip = brightness colour", "among 3 of 42", "coloured-light.sdf",
+       [](Subject& s) {
+         for (Light& light : s.scene.lights) light.color = Rgbd(1);
+       },
+       nullptr},
+      {"brightness-ignored", 18, "Vollstaendiges Modell", "A light's brightness is read, but not used.",
+       "Ip = colour", "Ip = brightness colour", "among 3 of 42", "several-lights.sdf",
+       [](Subject& s) {
+         for (Light& light : s.scene.lights) light.brightness = 1;
+       },
+       nullptr},
+      {"lights-averaged", 18, "Vollstaendiges Modell", "The sum of the lights is divided by their number.",
+       "1/n sum Ip_i ...", "sum Ip_i ...", "2 of 42", "several-lights.sdf", &average_lights, nullptr},
+      {"inverse-square-falloff", 18, "Lambert", "Light fades with the square of its distance.",
+       "Ip / distance^2", "Ip", "1 of 42", "lambert-light-distance.sdf",
+       [](Subject& s) {
+         s.formulas.arriving_light = [](const Rgbd& intensity, double distance) {
+           return intensity / (distance * distance);
+         };
+       },
+       nullptr},
+  };
+}
+
+}  // namespace plumb::references::faults

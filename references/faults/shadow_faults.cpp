@@ -1,0 +1,143 @@
+// Slide "Schatten".
+#include "references/faults/areas.hpp"
+
+namespace plumb::references::faults {
+namespace {
+
+using formulas::ShadowRay;
+using formulas::Toward;
+
+/// Whether a light was hidden from the point that is being lit: set and read between its ambient term and
+/// its last light, where no other point comes in between.
+thread_local bool one_was_hidden = false;
+
+Rgbd ambient_forgetting_hidden(const Rgbd& intensity, const Rgbd& ka) {
+  one_was_hidden = false;
+  return formulas::ambient_light(intensity, ka);
+}
+
+Rgbd dark_once_hidden(const Rgbd& so_far, const Rgbd& ambient, const Rgbd& light) {
+  one_was_hidden = one_was_hidden || light == Rgbd(0);
+  return one_was_hidden ? ambient : so_far + light;
+}
+
+/// A shadow ray that starts off the surface and does not know where it starts.
+ShadowRay<double> from(const Vec3d& origin, const Toward<double>& to_light) {
+  return {{origin, to_light.direction}, to_light.distance, false};
+}
+
+ShadowRay<double> offset_diagonally(const Vec3d& p, const Vec3d&, const Toward<double>& to_light,
+                                    const Vec3d&) {
+  return from(p + 0.001, to_light);
+}
+
+ShadowRay<double> offset_by_three_normals(const Vec3d& p, const Vec3d& n, const Toward<double>& to_light,
+                                          const Vec3d&) {
+  return from(p + 3.0 * n, to_light);
+}
+
+ShadowRay<double> offset_by_unnormalised(const Vec3d& p, const Vec3d&, const Toward<double>& to_light,
+                                         const Vec3d&) {
+  return from(p + 0.1 * to_light.distance * to_light.direction, to_light);
+}
+
+ShadowRay<double> offset_along_normal(const Vec3d& p, const Vec3d& n, const Toward<double>& to_light,
+                                      const Vec3d&) {
+  return from(p + 0.001 * n, to_light);
+}
+
+ShadowRay<double> without_offset(const Vec3d& p, const Vec3d&, const Toward<double>& to_light, const Vec3d&) {
+  return from(p, to_light);
+}
+
+ShadowRay<double> toward_position(const Vec3d& p, const Vec3d&, const Toward<double>&, const Vec3d& light) {
+  return {{p, glm::normalize(light)}, glm::length(light), true};
+}
+
+template <auto ray>
+void take_shadow_ray(Subject& s) {
+  s.formulas.shadow_ray = ray;
+}
+
+std::vector<Fault> of_the_blockers() {
+  return {
+      {"blocker-beyond-light", 19, "Schatten", "An object behind the light casts a shadow.", "t > 0",
+       "0 < t < distance of the light", "26 of 42", "light-behind-is-no-blocker.sdf",
+       [](Subject& s) { s.formulas.blocks_light = [](double t, double) { return t > 0; }; }, nullptr},
+      {"shadow-distance-one", 19, "Schatten", "A hit is compared with the length of the normalised l, 1.",
+       "0 < t < 1", "0 < t < distance of the light", "2 of 42", "shadow.sdf",
+       [](Subject& s) { s.formulas.blocks_light = [](double t, double) { return t > 0 && t < 1; }; },
+       nullptr},
+      {"last-object-decides", 20, "Schatten", "Only the last object of the list can hide a light.",
+       "delta = 0 if the last object lies between", "delta = 0 if any object lies between", "1 of 42",
+       "shadow.sdf",
+       [](Subject& s) {
+         s.formulas.may_block = [](const formulas::Blocking& objects) {
+           return objects.candidate == objects.last;
+         };
+       },
+       nullptr},
+      {"hidden-light-resets-all", 20, "Schatten", "A hidden light takes back what the lights before it gave.",
+       "I = Ia ka when a light is hidden, then on", "I = I + 0 when a light is hidden", "1 of 42",
+       "several-lights.sdf",
+       [](Subject& s) {
+         s.formulas.with_light = [](const Rgbd& so_far, const Rgbd& ambient, const Rgbd& light) {
+           return light == Rgbd(0) ? ambient : so_far + light;
+         };
+       },
+       nullptr},
+      {"one-blocker-darkens-all", 20, "Schatten", "What hides one light hides all of them.",
+       "I = Ia ka when any light is hidden", "I = Ia ka + sum of the lights that are not hidden", "1 of 42",
+       "several-lights.sdf",
+       [](Subject& s) {
+         s.formulas.ambient_light = &ambient_forgetting_hidden;
+         s.formulas.with_light = &dark_once_hidden;
+       },
+       nullptr},
+      {"no-self-shadow", 21, "Schatten", "An object is left out of its own shadow test.",
+       "any other object lies between", "any object lies between, the lit one too", "2 of 42",
+       "shadow-of-glass.sdf",
+       [](Subject& s) {
+         s.formulas.may_block = [](const formulas::Blocking& objects) {
+           return objects.candidate != objects.lit;
+         };
+       },
+       nullptr},
+  };
+}
+
+std::vector<Fault> of_the_shadow_ray() {
+  return {
+      {"shadow-offset-diagonal", 21, "Schatten", "A number is added to all three coordinates of the start.",
+       "p + (0.001 0.001 0.001)", "p", "2 of 42", "shadow.sdf", &take_shadow_ray<&offset_diagonally>,
+       nullptr},
+      {"shadow-offset-three-normals", 21, "Schatten", "The shadow ray starts three units above the surface.",
+       "p + 3 n", "p", "1 of 42", "shadow.sdf", &take_shadow_ray<&offset_by_three_normals>, nullptr},
+      {"shadow-offset-unnormalised", 21, "Schatten", "The offset grows with the distance of the light.",
+       "p + 0.1 (light - p)", "p", "1 of 42", "shadow.sdf", &take_shadow_ray<&offset_by_unnormalised>,
+       nullptr},
+      {"shadow-offset-fixed", 21, "Schatten", "The offset is a length that fits scenes of one size only.",
+       "p + 0.001 n", "p", "not counted", "shadow-small-units.sdf", &take_shadow_ray<&offset_along_normal>,
+       nullptr},
+      {"shadow-acne", 21, "Schatten", "By rounding, the surface casts spots of shadow on itself.",
+       "t > 0, whatever it starts on", "the surface that it leaves is not met again", "not counted",
+       "shadow.sdf",
+       [](Subject& s) {
+         s.formulas.shadow_ray = &without_offset;
+         s.formulas.is_ahead = [](double t, double) { return t > 0; };
+       },
+       nullptr},
+      {"shadow-toward-position", 22, "Schatten", "The shadow ray's direction is the light's position.",
+       "l = light", "l = light - p", "1 of 42", "shadow.sdf", &take_shadow_ray<&toward_position>, nullptr},
+  };
+}
+
+}  // namespace
+
+std::vector<Fault> of_the_shadows() {
+  std::vector<Fault> all = of_the_blockers();
+  for (const Fault& fault : of_the_shadow_ray()) all.push_back(fault);
+  return all;
+}
+
+}  // namespace plumb::references::faults

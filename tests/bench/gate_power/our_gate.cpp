@@ -1,0 +1,101 @@
+#include "tests/bench/gate_power/our_gate.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "references/attribution.hpp"
+#include "references/comparison.hpp"
+#include "tests/bench/gate_power/resolution.hpp"
+
+namespace plumb::gate_power {
+namespace {
+
+using references::Budget;
+using references::Cause;
+using references::PixelPlace;
+
+constexpr double tolerance =
+    1e-6;  // what POV-Ray's float32 pixels allow; see README, "How agreement is judged"
+
+/// How much a right picture changes from this pixel to its neighbours: what differs where this is small is
+/// hardly an edge.
+double contrast(const Image& image, PixelPlace p) {
+  double most = 0;
+  for (int y = std::max(0, p.y - 1); y <= std::min(image.height - 1, p.y + 1); ++y) {
+    for (int x = std::max(0, p.x - 1); x <= std::min(image.width - 1, p.x + 1); ++x) {
+      for (int c = 0; c < 3; ++c) {
+        const double step = std::abs(double{image.pixel(x, y)[c]} - double{image.pixel(p.x, p.y)[c]});
+        most = std::max(most, step);
+      }
+    }
+  }
+  return most;
+}
+
+/// The right picture, with the given one's values at some pixels.
+Image with_pixels_of(const Image& right, const Image& given, const std::vector<PixelPlace>& pixels) {
+  Image mixed = right;
+  for (const PixelPlace p : pixels) std::copy_n(given.pixel(p.x, p.y), 3, mixed.pixel(p.x, p.y));
+  return mixed;
+}
+
+Budget budget_of(const Subject& s, const Image& given, references::Precision precision) {
+  return references::attribute({s.scene, s.camera, s.job.options, given, s.right, tolerance, precision});
+}
+
+/// Whether a condition holds for all pixels over the tolerance. Proving a pixel takes thousands of rays, and
+/// one unexplained pixel decides: the plainest ones are tried first, a few at a time.
+template <class Condition>
+bool holds_for_all_over(const Subject& s, const Image& given, const Condition& holds) {
+  const std::vector<PixelPlace> over = references::pixels_over(given, s.right, tolerance);
+  std::vector<std::pair<double, std::size_t>> order;
+  for (std::size_t i = 0; i < over.size(); ++i) order.emplace_back(contrast(s.right, over[i]), i);
+  std::sort(order.begin(), order.end());
+  for (std::size_t begin = 0, size = 4; begin < order.size(); begin += size, size *= 16) {
+    std::vector<PixelPlace> some;
+    for (std::size_t i = begin; i < std::min(begin + size, order.size()); ++i)
+      some.push_back(over[order[i].second]);
+    if (!holds(with_pixels_of(s.right, given, some))) return false;
+  }
+  return true;
+}
+
+bool all_are_explained(const Subject& s, const Image& given, references::Precision precision) {
+  const auto is_explained = [&](const Image& some) {
+    return budget_of(s, some, precision).count(Cause::unexplained) == 0;
+  };
+  return holds_for_all_over(s, given, is_explained) &&
+         references::broken_bound(budget_of(s, given, precision), given.width, given.height).empty();
+}
+
+bool all_are_within(const Subject& s, const Image& given, const Resolution& resolution) {
+  return holds_for_all_over(s, given,
+                            [&](const Image& some) { return is_within_resolution(s, some, resolution); });
+}
+
+/// Truncated values stand in the middle of what they can have been.
+Image centred(const Image& truncated) {
+  Image image = truncated;
+  for (float& c : image.rgb) c += 0.5F / 255;
+  return image;
+}
+
+}  // namespace
+
+bool passes_our_gate(const Subject& subject, const Image& given, Made made) {
+  switch (made) {
+    case Made::in_float:
+      return all_are_within(subject, given, float_resolution);
+    case Made::sampled_nearby:
+      return all_are_within(subject, given, nearby_resolution);
+    case Made::bits8_rounded:
+      return all_are_explained(subject, given, references::Precision::bits8);
+    case Made::bits8_truncated:
+      return all_are_explained(subject, centred(given), references::Precision::bits8);
+    case Made::in_double:
+      break;
+  }
+  return all_are_explained(subject, given, references::Precision::float32);
+}
+
+}  // namespace plumb::gate_power

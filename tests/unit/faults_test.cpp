@@ -1,0 +1,119 @@
+// The fault catalogue: every fault can be seen, and none of them is there when none is asked for.
+#include "references/faults/fault.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <set>
+
+#include "tests/support/run.hpp"
+#include "tracer/scene/reader.hpp"
+
+namespace plumb::references {
+namespace {
+
+Scene scene_of(const std::string& file) {
+  return read_scene(read_file(tests::source_path("tests/scenes/" + file))).scene;
+}
+
+textbook::RenderJob small_job() {
+  textbook::RenderJob job;
+  job.width = 80;
+  job.height = 60;
+  return job;
+}
+
+Image rendered(const std::string& file, const std::vector<const Fault*>& faults) {
+  const Scene scene = scene_of(file);
+  return render_with(scene, scene.camera(scene.renders.front().camera), small_job(), faults);
+}
+
+/// How many components differ by more than 1e-4, or are not finite.
+long changed(const Image& right, const Image& wrong) {
+  long count = 0;
+  for (std::size_t i = 0; i < right.rgb.size(); ++i)
+    count += std::abs(double{right.rgb[i]} - double{wrong.rgb[i]}) <= 1e-4 ? 0 : 1;
+  return count;
+}
+
+const Fault* fault(const std::string& id) {
+  const Fault* found = find_fault(id);
+  EXPECT_NE(found, nullptr) << id;
+  return found;
+}
+
+TEST(Faults, IdsAreUniqueAndPlain) {
+  std::set<std::string_view> ids;
+  for (const Fault& f : fault_catalogue()) {
+    EXPECT_TRUE(ids.insert(f.id).second) << f.id;
+    EXPECT_TRUE(std::all_of(f.id.begin(), f.id.end(), [](char c) {
+      return c == '-' || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
+    })) << f.id;
+    EXPECT_EQ(find_fault(f.id), &f);
+  }
+  EXPECT_EQ(find_fault("no-such-fault"), nullptr);
+}
+
+TEST(Faults, EveryEntryOfTheCatalogueIsThere) {
+  std::set<int> entries;
+  for (const Fault& f : fault_catalogue()) entries.insert(f.catalogue);
+  EXPECT_EQ(entries.size(), 37U);
+  EXPECT_EQ(*entries.begin(), 1);
+  EXPECT_EQ(*entries.rbegin(), 37);
+  EXPECT_GE(fault_catalogue().size(), 45U);
+}
+
+TEST(Faults, EveryFaultSaysWhatItIs) {
+  for (const Fault& f : fault_catalogue()) {
+    for (const std::string_view text : {f.slide, f.explanation, f.wrong, f.right, f.how_common, f.shown_by})
+      EXPECT_FALSE(text.empty()) << f.id;
+    EXPECT_TRUE(f.explanation.ends_with(".")) << f.id;
+    EXPECT_NE(f.wrong, f.right) << f.id;
+    EXPECT_NE(f.apply != nullptr, f.after != nullptr) << f.id << " is one change, before or after the render";
+  }
+}
+
+TEST(Faults, EveryFaultIsSeenInTheSceneThatItNames) {
+  for (const Fault& f : fault_catalogue()) {
+    const std::string scene{f.shown_by};
+    EXPECT_GT(changed(rendered(scene, {}), rendered(scene, {&f})), 0) << f.id << " in " << scene;
+  }
+}
+
+TEST(Faults, NoFaultsGiveTheRenderBitForBit) {
+  for (const auto& entry : std::filesystem::directory_iterator(tests::source_path("tests/scenes"))) {
+    const std::string file = entry.path().filename().string();
+    const Scene scene = scene_of(file);
+    const Image right = textbook::render(scene, scene.camera(scene.renders.front().camera), small_job());
+    EXPECT_EQ(rendered(file, {}).rgb, right.rgb) << file;
+  }
+}
+
+TEST(Faults, FaultsLeaveNothingBehind) {
+  const std::vector<const Fault*> with_state{fault("depth-counter-shared"), fault("one-blocker-darkens-all"),
+                                             fault("specular-toward-light")};
+  const std::string scene = "combined-everything.sdf";
+  const Image before = rendered(scene, {});
+  const Image wrong = rendered(scene, with_state);
+  EXPECT_EQ(rendered(scene, with_state).rgb, wrong.rgb);
+  EXPECT_EQ(rendered(scene, {}).rgb, before.rgb);
+}
+
+TEST(Faults, PixelCornerAndAspectGoTogetherInAnyOrder) {
+  const std::string scene = "camera-model.sdf";
+  const Image both = rendered(scene, {fault("pixel-corner"), fault("aspect-ignored")});
+  EXPECT_EQ(both.rgb, rendered(scene, {fault("aspect-ignored"), fault("pixel-corner")}).rgb);
+  EXPECT_GT(changed(both, rendered(scene, {fault("aspect-ignored")})), 0);
+  EXPECT_GT(changed(both, rendered(scene, {fault("pixel-corner")})), 0);
+}
+
+TEST(Faults, UpsideDownIsUndoneByItself) {
+  const std::string scene = "prototype-401.sdf";
+  for (const char* id : {"upside-down", "left-right-swapped"})
+    EXPECT_EQ(rendered(scene, {fault(id), fault(id)}).rgb, rendered(scene, {}).rgb) << id;
+}
+
+}  // namespace
+}  // namespace plumb::references
