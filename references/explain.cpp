@@ -117,7 +117,9 @@ class Writer {
     line(indent + 1, "local = " + triple(terms.local()), "Vollständiges Modell");
     for (const RayNode& child : node.children)
       ray(child, indent + 1, weight_of(child.kind, terms.material()));
-    if (!node.children.empty())
+    if (node.is_cut)
+      line(indent + 1, "... and rays that are left out: there are too many, choose a smaller --depth");
+    if (!node.children.empty() || node.is_cut)
       line(indent + 1, "colour = local + kr R + kt T = " + triple(node.colour), "Spiegelung, Brechung");
   }
 
@@ -212,6 +214,7 @@ Json explain_json(const Scene& scene, const RayNode& node) {
     json["children"] = Json::array();
     for (const RayNode& child : node.children) json["children"].push_back(explain_json(scene, child));
   }
+  if (node.is_cut) json["is_cut"] = true;
   json["colour"] = json_of(node.colour);
   return json;
 }

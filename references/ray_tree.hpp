@@ -28,18 +28,22 @@ struct RayNode {
   Ray<double> ray;
   int depth = 0;
   bool is_at_depth_limit = false;  ///< it is black and was not traced
+  bool is_cut = false;             ///< rays that follow are left out: the tree would be too large
   std::optional<Meeting> meeting;
   Rgbd colour{0};  ///< what it brings back
   std::vector<RayNode> children;
 };
 
-/// Records what a tracer tells; copies record to the same tree.
+/// Records what a tracer tells; copies record to the same tree. Of a pixel with more rays than `most_rays`
+/// the first ones are kept, in the order in which they are traced.
 class Recorder {
  public:
+  static constexpr std::size_t most_rays = 3000;
+
   Recorder() : state_(std::make_shared<State>()) {}
 
   void ray_begins(textbook::RayKind kind, const Ray<double>& ray, int depth) const;
-  void is_black_at_depth_limit() const { current().is_at_depth_limit = true; }
+  void is_black_at_depth_limit() const;
   void meets(const textbook::Hit<double>& hit, const textbook::Surface<double>& surface, const Vec3d& point,
              const Vec3d& normal) const;
   void is_lit_by(std::size_t light, const textbook::LightSeen<double>& seen) const;
@@ -52,6 +56,8 @@ class Recorder {
   struct State {
     std::vector<RayNode> open;  ///< from the camera ray to the one that is being traced
     RayNode finished;
+    std::size_t rays = 0;
+    std::size_t left_out = 0;  ///< open rays that are not recorded
   };
   RayNode& current() const { return state_->open.back(); }
 

@@ -424,6 +424,64 @@ define shape box floor -9 -2 -20 9 -1.9 3 red
   EXPECT_EQ(result.comparison.pixels_over, result.budget.explained());
 }
 
+// Term by term.
+
+const std::string all_terms_scene = materials + R"(
+define material glass 0.1 0.1 0.1 0.1 0.1 0.1 0.3 0.3 0.3 20 transmit 0.7 0.7 0.7 eta 1.4
+define material silver 0.1 0.1 0.1 0.1 0.1 0.1 0.3 0.3 0.3 20 mirror 0.6 0.6 0.6
+define shape sphere bead 1 0.3 -3.5 0.5 glass
+define shape sphere ball -0.9 0.3 -4 0.9 silver
+define shape sphere pea 0.3 -0.2 -3 0.25 red
+define shape box floor -9 -2 -12 9 -1 0 blue
+)";
+
+TEST_F(Verify, ADifferenceIsFoundInTheTermInWhichItLives) {
+  struct Case {
+    const char* term;
+    void (*fault)(Scene&, RenderOptions&);
+  };
+  static const auto weaken = [](Scene& scene, Rgbd Material::*what) {
+    for (Material& m : scene.materials) m.*what *= 0.9;
+  };
+  const std::string scene = file("a.sdf", all_terms_scene);
+  for (const Case& c :
+       {Case{"ambient", [](Scene&s, RenderOptions&) { weaken(s, &Material::ka); }},
+        Case{"diffuse", [](Scene&s, RenderOptions&) { weaken(s, &Material::kd); }},
+        Case{"specular", [](Scene&s, RenderOptions&) { weaken(s, &Material::ks); }},
+        Case{"shadow", [](Scene&, RenderOptions&o) { o.shadows = false; }},
+        Case{"mirror", [](Scene&s, RenderOptions&) { weaken(s, &Material::mirror); }},
+        Case{"refraction", [](Scene&s, RenderOptions&) { weaken(s, &Material::transmit); }}}) {
+    VerifyOptions options;
+    options.terms = true;
+    options.render_ours = [&](const Scene& right, const Camera& camera, const textbook::RenderJob& job) {
+      Scene wrong = right;
+      textbook::RenderJob other = job;
+      c.fault(wrong, other.options);
+      return textbook::render(wrong, camera, other);
+    };
+    const SceneResult result = references::verify({scene}, options, {}).scenes.front();
+    EXPECT_EQ(result.status, Status::differ) << c.term;
+    EXPECT_TRUE(contains(result.message, std::string("lives in the term ") + c.term))
+        << c.term << ": " << result.message;
+    EXPECT_EQ(result.budget.explained() + result.budget.count(references::Cause::unexplained),
+              result.comparison.pixels_over);
+  }
+}
+
+TEST_F(Verify, EveryTermOfARightSceneAgrees) {
+  VerifyOptions options;
+  options.terms = true;
+  const SceneResult result = references::verify({file("a.sdf", all_terms_scene)}, options, {}).scenes.front();
+  EXPECT_EQ(result.status, Status::agree) << result.message;
+  ASSERT_EQ(result.terms.size(), references::all_terms.size());
+  for (const references::TermResult& t : result.terms) {
+    EXPECT_EQ(t.unexplained, 0U) << to_string(t.term);
+    EXPECT_LE(t.comparison.judged_error, 1e-6) << to_string(t.term);
+  }
+  const SceneResult plain = references::verify({file("b.sdf", ball)}, options, {}).scenes.front();
+  EXPECT_EQ(plain.terms.size(), 4U) << "no mirror, no glass";
+}
+
 TEST_F(Verify, NothingOverNeedsNoProof) {
   const Loaded loaded(file("a.sdf", ball));
   const auto budget = budget_of(loaded, loaded.render(), {});

@@ -1,0 +1,98 @@
+// plumb explain as a user calls it.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/support/end_to_end.hpp"
+
+namespace plumb::tests {
+namespace {
+
+using Json = nlohmann::json;
+
+class Explain : public testing::Test {
+ protected:
+  Outcome explain(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(), "explain");
+    return run_plumb(arguments, workplace_.directory());
+  }
+  Workplace workplace_;
+};
+
+TEST_F(Explain, TellsEveryTermOfAHitAndTheReferenceBesideTheSum) {
+  workplace_.file("ball.sdf", std::string(ball_scene));
+  const Outcome outcome = explain({"ball.sdf", "16", "12"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  for (const char* const part :
+       {"camera ray", "meets 'ball'", "ambient", "[Ambient]", "light 'key' is seen", "[Lambert]", "[Phong]",
+        "[Schatten]", "local", "ours", "reference", "difference"}) {
+    EXPECT_TRUE(contains(outcome.out, part)) << part << "\n" << outcome.out;
+  }
+}
+
+TEST_F(Explain, APixelOfTheBackgroundMeetsNothing) {
+  workplace_.file("ball.sdf", std::string(ball_scene));
+  EXPECT_TRUE(contains(explain({"ball.sdf", "0", "0"}).out, "meets nothing: background (0.1 0.15 3)"));
+}
+
+/// The colour is the sum of the terms that are told, for every ray of the tree.
+void expect_sums(const Json& ray) {
+  if (!ray.contains("met")) return;
+  for (int c = 0; c < 3; ++c) {
+    double local = ray["ambient"]["value"][c];
+    for (const Json& light : ray["lights"]) {
+      if (light.contains("diffuse"))
+        local += light["diffuse"]["value"][c].get<double>() + light["specular"]["value"][c].get<double>();
+    }
+    EXPECT_NEAR(local, ray["local"][c].get<double>(), 1e-14) << "roundings of a sum of few terms";
+  }
+  for (const Json& child : ray["children"]) expect_sums(child);
+}
+
+TEST_F(Explain, JsonHoldsTheTreeAndItsSums) {
+  workplace_.file("room.sdf",
+                  std::string(ball_scene) +
+                      "define material glass 0.1 0 0 0.1 0.1 0.1 0.2 0.2 0.2 9 mirror 0.2 0.2 0.2 transmit "
+                      "0.6 0.6 0.6 eta 1.5\n"
+                      "define shape box pane -2 -2 -2 2 2 -1.5 glass\n");
+  const Outcome outcome = explain({"room.sdf", "16", "12", "--json", "-", "--depth", "4"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Json json = Json::parse(outcome.out);
+  EXPECT_EQ(json["x"], 16);
+  EXPECT_EQ(json["width"], 32);
+  for (int c = 0; c < 3; ++c)
+    EXPECT_NEAR(json["ours"][c].get<double>(), json["reference"][c].get<double>(), 1e-6)
+        << "as verify has it";
+  EXPECT_EQ(json["tree"]["children"].size(), 2U) << "mirrored and refracted";
+  EXPECT_EQ(json["tree"]["colour"], json["ours"]);
+  expect_sums(json["tree"]);
+}
+
+TEST_F(Explain, AShadowNamesWhatCastsIt) {
+  workplace_.file("shadow.sdf", std::string(ball_scene) + "define shape box lid 0 1.5 -4 9 2 0 red\n");
+  EXPECT_TRUE(contains(explain({"shadow.sdf", "16", "8"}).out, "light 'key' is hidden by 'lid' at t = "));
+}
+
+TEST_F(Explain, TooManyRaysAreLeftOutAndThatIsSaid) {
+  workplace_.file(
+      "room.sdf",
+      "define material m 0.1 0.1 0.1 0 0 0 0 0 0 1 mirror 0.5 0.5 0.5 transmit 0.5 0.5 0.5 eta 1.1\n"
+      "define shape sphere a 0 0 -5 2 m\ndefine shape sphere b 0 0 -5 1 m\n"
+      "define camera eye 60\nrender eye out.ppm 32 24\nambient 1 1 1\n");
+  const Outcome outcome = explain({"room.sdf", "16", "12", "--depth", "14"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_TRUE(contains(outcome.out, "rays that are left out"));
+  EXPECT_LT(outcome.out.size(), 4000000U);
+}
+
+TEST_F(Explain, BadInputIsTrouble) {
+  workplace_.file("ball.sdf", std::string(ball_scene));
+  expect_trouble(explain({"ball.sdf", "32", "0"}), {"32 0", "32 x 24"});
+  expect_trouble(explain({"ball.sdf", "0", "24"}), {"0 24"});
+  EXPECT_EQ(explain({"ball.sdf", "-1", "0"}).exit_code, 2);
+  EXPECT_EQ(explain({"ball.sdf", "1"}).exit_code, 2);
+  expect_trouble(explain({"missing.sdf", "1", "1"}), {"missing.sdf"});
+}
+
+}  // namespace
+}  // namespace plumb::tests
