@@ -4,12 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include "references/metrics/flip.hpp"
 #include "tests/bench/gate_power/yiq.hpp"
 #include "tracer/image/encode.hpp"
-#if __has_include("references/metrics/flip.hpp")
-#include "references/metrics/flip.hpp"
-#define PLUMB_HAS_FLIP 1
-#endif
 
 namespace plumb::gate_power {
 namespace {
@@ -70,7 +67,6 @@ bool odiff(const Pair& p) {
   return differing_pixels(view(p, p.right_bytes), view(p, p.given_bytes), 0.1, false) == 0;
 }
 
-#ifdef PLUMB_HAS_FLIP
 double mean_flip(const Pair& p) {
   const auto floats = [](const std::vector<std::uint8_t>& bytes) {
     std::vector<float> values(bytes.size());
@@ -88,7 +84,6 @@ double mean_flip(const Pair& p) {
 /// wgpu's examples compare with a mean FLIP of 0.005 (the strictest of them) to 0.065 (ComparisonType::Mean).
 bool flip_strict(const Pair& p) { return mean_flip(p) <= 0.005; }
 bool flip_usual(const Pair& p) { return mean_flip(p) <= 0.05; }
-#endif
 
 std::vector<std::uint8_t> linear_bytes(const Image& image) {
   std::vector<std::uint8_t> bytes(image.rgb.size());
@@ -113,10 +108,8 @@ const std::vector<Rule>& rules() {
       {"appleseed's tests", "at most 8 components over 2/255; 8 bits", &appleseed},
       {"pixelmatch", "threshold 0.1, without what looks like anti-aliasing; 8 bits", &pixelmatch},
       {"odiff", "threshold 0.1; 8 bits", &odiff},
-#ifdef PLUMB_HAS_FLIP
       {"FLIP, mean 0.005", "the strictest of wgpu's examples; 8 bits", &flip_strict},
       {"FLIP, mean 0.05", "as many of wgpu's examples; 8 bits", &flip_usual},
-#endif
   };
   return all;
 }
