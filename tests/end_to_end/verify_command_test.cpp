@@ -409,6 +409,31 @@ TEST_F(StoredImages, WithoutPovRayAndImageIsTrouble) {
   EXPECT_TRUE(contains(outcome.err, "povray is not on PATH")) << outcome.err;
 }
 
+TEST_F(Verify, TheReportIsOnePageWithEveryScene) {
+  workplace_.file("broken.sdf", "define shape sphere a 0 0 0 1 nothing\n");
+  const Outcome outcome = verify({"ball.sdf", "broken.sdf", "--size", "16x12", "--report", "out/report"});
+  EXPECT_EQ(outcome.exit_code, 2) << "one scene is in trouble";
+  const std::string page = read_file(workplace_.path("out/report/index.html"));
+  for (const char* const part : {"ball.sdf", "broken.sdf", "plumb explain --size 16x12", "agree"})
+    EXPECT_TRUE(contains(page, part)) << part;
+  EXPECT_EQ(verify({"ball.sdf", "--report", "ball.sdf"}).exit_code, 2) << "no directory can be made there";
+}
+
+TEST_F(Verify, TermsStandInTheJson) {
+  const Json json = verify_json({"ball.sdf", "--terms"});
+  const Json& terms = json.at("scenes").at(0).at("terms");
+  EXPECT_EQ(keys_of(terms), (std::set<std::string>{"ambient", "diffuse", "specular", "shadow"}));
+  for (const auto& [term, figures] : terms.items()) EXPECT_LE(figures.at("max_error"), 1e-6) << term;
+}
+
+TEST_F(Verify, TheBudgetInTheJsonHasEveryCause) {
+  const Json json = verify_json({"ball.sdf"});
+  EXPECT_EQ(
+      keys_of(json.at("scenes").at(0).at("budget")),
+      (std::set<std::string>{"silhouette", "shadow_edge", "secondary_edge", "coincident",
+                             "reference_tolerance", "depth", "quantisation", "clamped", "unexplained"}));
+}
+
 TEST_F(Verify, ASignalLeavesNothingBehind) {
   const std::string fake = path_with_povray("case $1 in --version) exec \"$POVRAY\" \"$@\";; esac\ntouch '" +
                                             workplace_.path("started") + "'; sleep 60");
