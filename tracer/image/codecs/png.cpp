@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "tracer/image/codecs/codecs.hpp"
+#include "tracer/image/codecs/png_filters.hpp"
 #include "tracer/image/mapped_file.hpp"
 
 namespace plumb::codecs {
@@ -59,51 +60,6 @@ bool read_chunks(std::string_view bytes, Png& png) {
     bytes.remove_prefix(size + around);
   }
   return false;
-}
-
-/// PNG, section 9.4: that of the three which is nearest to left + up - corner.
-int paeth(int left, int up, int corner) {
-  const int a = std::abs(up - corner), b = std::abs(left - corner), c = std::abs(left + up - 2 * corner);
-  const int nearer = b <= c ? up : corner;
-  return a <= b && a <= c ? left : nearer;
-}
-
-/// `row` holds filtered bytes; `up` the row above, of `size` bytes. The pixel on the left stays in registers.
-template <std::size_t step, class Predict>
-void undo_each(Byte* __restrict__ row, const Byte* __restrict__ up, std::size_t size, Predict predict) {
-  int left[step] = {}, corner[step] = {};
-  for (std::size_t i = 0; i < size; i += step) {
-    for (std::size_t c = 0; c < step; ++c) {
-      const int above = up[i + c];
-      left[c] = (row[i + c] + predict(left[c], above, corner[c])) & 255;
-      corner[c] = above;
-      row[i + c] = static_cast<Byte>(left[c]);
-    }
-  }
-}
-
-template <std::size_t step>
-void undo(Byte filter, Byte* row, const Byte* up, std::size_t size) {
-  if (filter == 1) undo_each<step>(row, up, size, [](int left, int, int) { return left; });
-  if (filter == 2) {
-    for (std::size_t i = 0; i < size; ++i) row[i] = static_cast<Byte>(row[i] + up[i]);
-  }
-  if (filter == 3)
-    undo_each<step>(row, up, size, [](int left, int above, int) { return (left + above) / 2; });
-  if (filter == 4) undo_each<step>(row, up, size, [](int l, int a, int c) { return paeth(l, a, c); });
-}
-
-bool undo_filters(Byte* bytes, std::size_t size, std::size_t height, std::size_t channels) {
-  const std::vector<Byte> black(size);
-  const Byte* up = black.data();
-  const auto one = channels == 1 ? undo<1> : undo<3>;
-  for (std::size_t y = 0; y < height; ++y) {
-    Byte* const row = bytes + y * (size + 1);
-    if (row[0] > 4) return false;
-    one(row[0], row + 1, up, size);
-    up = row + 1;
-  }
-  return true;
 }
 
 bool inflate(const Png& png, Byte* bytes, std::size_t size) {
