@@ -8,6 +8,7 @@
 #include "references/divergence.hpp"
 #include "references/perturbation.hpp"
 #include "references/ray_tree.hpp"
+#include "tracer/scene/hierarchy.hpp"
 #include "tracer/textbook/tracer.hpp"
 
 namespace plumb::references {
@@ -60,6 +61,8 @@ struct Suspect {
   // The patterns whose outcomes are the two pictures' values, and what their ray trees differ in.
   std::optional<int> as_test{};
   std::optional<int> as_reference{};
+  Colour of_test{};
+  Colour of_reference{};
   std::optional<Cause> cause{};
 
   bool is_proven() const { return varies && cause; }
@@ -71,7 +74,7 @@ constexpr int no_pattern = -1;  // nothing is moved
 class Attribution {
  public:
   explicit Attribution(const AttributionJob& job)
-      : job_(job), scene_(with_instances_apart(job.scene)), perturbation_(scene_, job.camera) {}
+      : job_(job), scene_(with_instances_apart(job.scene)), perturbation_(scene_, job.camera, job.judge) {}
 
   Budget run() {
     for (const PixelPlace p : pixels_over(job_.reference, job_.test, job_.tolerance)) {
@@ -81,7 +84,9 @@ class Attribution {
       if (is_finite(pixel)) explain_by_format(pixel);
     }
     explain_by_moves();
-    for (const int more : {-1, 1}) explain_by_depth(job_.options.depth + more);
+    if (job_.judge == Judge::povray) {
+      for (const int more : {-1, 1}) explain_by_depth(job_.options.depth + more);
+    }
     return std::move(budget_);
   }
 
@@ -151,23 +156,33 @@ class Attribution {
   }
 
   void try_pattern(int pattern, const PixelTracer& moved, Suspect& s) const {
-    const double jump = std::max(job_.tolerance, Perturbation::factor(pattern) * smallest_jump);
     perturbation_.begin_pixel(pattern, number_of(s));
     const Colour outcome = moved.at(*s.pixel);
-    s.varies = s.varies || !is_within(s.unmoved.data(), outcome.data(), jump);
+    s.varies =
+        s.varies || !is_within(s.unmoved.data(), outcome.data(), std::max(job_.tolerance, jump_of(pattern)));
     try_outcome(pattern, outcome, s);
   }
 
   /// Whether the outcome is what one of the pictures shows; when both are found, their rays tell the cause.
   void try_outcome(int pattern, const Colour& outcome, Suspect& s) const {
-    const auto shows = [&](const float* picture, std::optional<int>& as) {
+    const auto shows = [&](const float* picture, std::optional<int>& as, Colour& of) {
       if (as || !is_within(picture, outcome.data(), job_.tolerance)) return;
       as = pattern;
-      if (s.as_test && s.as_reference) s.cause = divergence(s);
-      if (s.as_test && s.as_reference && !s.cause) as.reset();  // the same rays: no matter of chance
+      of = outcome;
+      if (!s.as_test || !s.as_reference) return;
+      // Two outcomes that are hardly apart, or have the same rays, are no matter of chance.
+      if (!is_within(s.of_test.data(), s.of_reference.data(), jump_of(pattern))) s.cause = divergence(s);
+      if (!s.cause) as.reset();
     };
-    shows(test(*s.pixel), s.as_test);
-    shows(reference(*s.pixel), s.as_reference);
+    shows(test(*s.pixel), s.as_test, s.of_test);
+    shows(reference(*s.pixel), s.as_reference, s.of_reference);
+  }
+
+  /// What a smooth pixel never changes by when surfaces move as in this pattern, and half the tolerance: the
+  /// two values are more than the tolerance apart, and each outcome is nearly one of them.
+  double jump_of(int pattern) const {
+    const double factor = pattern == no_pattern ? 1e-3 : Perturbation::factor(pattern);
+    return std::max(job_.tolerance / 2, factor * smallest_jump * resolution_of(job_.judge) / 1e-8);
   }
 
   std::optional<Cause> divergence(const Suspect& s) const {
@@ -189,8 +204,7 @@ class Attribution {
   std::set<ShapeId> shapes_that_take_part(const PixelTracer& still, const std::vector<Suspect>& all) const {
     const std::vector<const Suspect*> proven = sample_of_proven(all);
     std::set<ShapeId> found;
-    for (ShapeId id = 0; id < scene_.shapes.size() && !proven.empty(); ++id) {
-      if (material_of(scene_.shapes[id]) == nullptr) continue;
+    for (const ShapeId id : met_by(still, proven)) {
       for (int i = 0; i < patterns_of_one && !found.contains(id); ++i) {
         const PixelTracer moved(perturbation_.with_one_moved(id, i), job_, job_.options);
         const bool changes = std::any_of(proven.begin(), proven.end(), [&](const Suspect* s) {
@@ -200,6 +214,29 @@ class Attribution {
       }
     }
     return found;
+  }
+
+  /// The shapes that the rays of these pixels meet, moved or not, and what hides lights from them.
+  std::set<ShapeId> met_by(const PixelTracer& still, const std::vector<const Suspect*>& proven) const {
+    std::vector<ShapeId> of_instance;
+    for_each_instance(scene_, [&](const Instance& instance) { of_instance.push_back(instance.shape); });
+    std::set<ShapeId> met;
+    for (const Suspect* s : proven) {
+      add_met(still.tree_of(*s->pixel), of_instance, met);
+      add_met(tree(*s->as_test, *s), of_instance, met);
+      add_met(tree(*s->as_reference, *s), of_instance, met);
+    }
+    return met;
+  }
+
+  static void add_met(const RayNode& node, const std::vector<ShapeId>& of_instance, std::set<ShapeId>& met) {
+    if (!node.meeting) return;
+    met.insert(node.meeting->shape);
+    for (const auto& light : node.meeting->lights) {
+      const auto blocker = static_cast<std::size_t>(light.blocker.surface.instance);
+      if (light.counts && blocker < of_instance.size()) met.insert(of_instance[blocker]);
+    }
+    for (const RayNode& child : node.children) add_met(child, of_instance, met);
   }
 
   static std::vector<const Suspect*> sample_of_proven(const std::vector<Suspect>& all) {
@@ -220,15 +257,20 @@ class Attribution {
 
   void explain_by_depth(int depth) {
     if (depth < 1 || affordable_patterns(budget_.pixels.size()) < patterns) return;
-    RenderOptions other = job_.options;
-    other.depth = depth;
-    const PixelTracer tracer(scene_, job_, other);
+    RenderOptions options = job_.options;
+    options.depth = depth;
+    const PixelTracer tracer(scene_, job_, options);
     const PixelTracer still(scene_, job_, job_.options);
     for (AttributedPixel& p : budget_.pixels) {
       if (p.cause != Cause::unexplained || !is_finite(p)) continue;
-      const bool both = is_within(test(p), still.at(p).data(), job_.tolerance) &&
-                        is_within(reference(p), tracer.at(p).data(), job_.tolerance);
-      if (both) p.cause = Cause::depth;
+      const Colour ours = still.at(p);
+      const Colour other = tracer.at(p);
+      const bool both = is_within(test(p), ours.data(), job_.tolerance) &&
+                        is_within(reference(p), other.data(), job_.tolerance) &&
+                        !is_within(ours.data(), other.data(), job_.tolerance);
+      if (both &&
+          first_divergence(still.tree_of(p), tracer.tree_of(p), perturbation_.extent()) == Cause::depth)
+        p.cause = Cause::depth;
     }
   }
 
@@ -255,8 +297,10 @@ std::size_t Budget::count(Cause cause) const {
 Budget attribute(const AttributionJob& job) { return Attribution(job).run(); }
 
 std::string broken_bound(const Budget& budget, int width, int height) {
-  const std::size_t lines = 2 * static_cast<std::size_t>(width) + 2 * static_cast<std::size_t>(height);
-  const std::size_t some = 16 + static_cast<std::size_t>(width) * static_cast<std::size_t>(height) / 100;
+  const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  const std::size_t lines =
+      std::min(2 * static_cast<std::size_t>(width) + 2 * static_cast<std::size_t>(height), 16 + pixels / 20);
+  const std::size_t some = 16 + pixels / 100;
   const std::pair<Cause, std::size_t> bounds[] = {{Cause::silhouette, lines},
                                                   {Cause::shadow_edge, lines},
                                                   {Cause::secondary_edge, lines},

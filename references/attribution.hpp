@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "references/comparison.hpp"
+#include "references/perturbation.hpp"
 #include "tracer/scene/render_options.hpp"
 #include "tracer/scene/scene.hpp"
 
@@ -59,21 +60,25 @@ struct AttributionJob {
   const Image& test;
   double tolerance;  ///< as in compare()
   Precision precision = Precision::float32;
+  Judge judge = Judge::povray;
 };
 
 /// An edge, a coincidence or the reference's tolerance is proven when moving surfaces by a distance that the
 /// reference does not resolve (see Perturbation) makes the traced pixel jump, by more than the tolerance and
-/// 1e3 times the move, when one of the outcomes is the reference's value and one is the test's, each within
-/// the tolerance, and when the ray trees of the two have another hit, light or ray: the first difference
-/// names the cause. Depth is proven when one ray more or less gives the reference's value. Non-finite pixels
-/// are never explained, nor is any of a picture that differs as a whole (more than about 80,000 pixels).
+/// 1e3 times the move (in shares of the extent), when one of the outcomes is the reference's value and
+/// another one the test's, each within the tolerance, and when the ray trees of the two have another hit,
+/// light or ray: the first difference names the cause. Depth is proven when the test's value is traced, one
+/// ray more or less gives the reference's, which is another one, and the ray trees part at the limit; against
+/// a baseline it is no excuse. Non-finite pixels are never explained, nor is any of a picture that differs as
+/// a whole (more than about 80,000 pixels).
 Budget attribute(const AttributionJob& job);
 
 /// The bound that a cause breaks, in words; empty when all hold. An edge meets pixel centres by chance at
-/// some points, or along a line when it runs along the pixels: two lines each way are allowed for each kind
-/// of edge. Of the pixels where rays start nearer to a surface than the reference resolves, or end at the
-/// depth limit, 1 % and 16: more would be seen, and be the model. Coincident surfaces may fill the picture,
-/// and quantised values are each reproduced exactly, so these have no bound.
+/// some points, or along a line when it runs along the pixels: two lines each way, and at most 16 and 5 % of
+/// the pixels, are allowed for each kind of edge. Of the pixels where rays start nearer to a surface than the
+/// reference resolves, or end at the depth limit, 16 and 1 %: more would be seen, and be the model.
+/// Coincident surfaces may fill a picture, and quantised values are each reproduced exactly, so these have no
+/// bound.
 std::string broken_bound(const Budget& budget, int width, int height);
 
 }  // namespace plumb::references

@@ -125,7 +125,7 @@ void add_pixels(Tally& tally, const std::byte* reference, const std::byte* test,
   std::size_t i = 0;
   for (; i + lanes <= pixels; i += lanes) {
     if (!add_vector<channels>(sums, tally.pixels_over, reference + i * size, test + i * size, tolerance,
-                              tally.worst))
+                              tally.judged_error))
       one_by_one(i, i + lanes);
   }
   one_by_one(i, pixels);

@@ -119,7 +119,10 @@ class Writer {
       ray(child, indent + 1, weight_of(child.kind, terms.material()));
     if (node.is_cut)
       line(indent + 1, "... and rays that are left out: there are too many, choose a smaller --depth");
-    if (!node.children.empty() || node.is_cut)
+    const bool is_total = !node.children.empty() && node.children.front().kind == RayKind::totally_reflected;
+    if (is_total)
+      line(indent + 1, "colour = local + R = " + triple(node.colour), "Brechung: total reflection");
+    if (!is_total && (!node.children.empty() || node.is_cut))
       line(indent + 1, "colour = local + kr R + kt T = " + triple(node.colour), "Spiegelung, Brechung");
   }
 
@@ -147,10 +150,12 @@ class Writer {
     line(indent, name + " is seen at distance " + number(seen.distance) + ", delta = " + triple(seen.delta),
          "Schatten");
     line(indent + 1,
-         "diffuse   Ip kd (n.l) = " + triple(terms.diffuse(i)) + ", n.l = " + number(seen.cos_theta),
+         "diffuse   Ip kd (n.l) = " + triple(terms.diffuse(i)) +
+             ", Ip = " + triple(terms.light(i).intensity()) + ", kd = " + triple(terms.material().kd) +
+             ", n.l = " + number(seen.cos_theta),
          "Lambert");
     line(indent + 1,
-         "specular  Ip ks (r.v)^m = " + triple(terms.specular(i)) +
+         "specular  Ip ks (r.v)^m = " + triple(terms.specular(i)) + ", ks = " + triple(terms.material().ks) +
              ", (r.v)^m = " + number(seen.specular_factor) + ", m = " + number(terms.material().m),
          "Phong");
   }

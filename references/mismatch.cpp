@@ -198,7 +198,7 @@ class Trial {
   bool is_over(const Hypothesis& h, const float* r, const float* t) const {
     for (int c = 0; c < reference_.channels; ++c) {
       const double e = expected(h, r, c);
-      if (!(std::abs(t[c] - e) <= tolerance_ * std::max(1.0, std::abs(e)))) return true;
+      if (!std::isfinite(e) || !(std::abs(t[c] - e) <= tolerance_ * std::max(1.0, std::abs(e)))) return true;
     }
     return false;
   }
@@ -207,7 +207,7 @@ class Trial {
     double sum = 0;
     for (int c = 0; c < reference_.channels; ++c) {
       const double difference = at(t_, other)[c] - expected(h, at(r_, x), c);
-      if (std::isfinite(difference)) sum += difference * difference;
+      sum += difference * difference;
     }
     return sum;
   }
@@ -231,6 +231,7 @@ std::optional<LikelyCause> likely_cause(const PixelRows& reference, const PixelR
   std::optional<LikelyCause> best;
   Trial trial(reference, test, tolerance);
   for (const Hypothesis& h : hypotheses()) {
+    if (h.is_level && reference.is_bytes) continue;  // integers were neither truncated nor made half floats
     const auto rest = trial.rest(h, share_left * before);
     if (!rest) continue;
     // A shift that merely loses the pixels that differ explains nothing.

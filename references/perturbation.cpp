@@ -11,6 +11,8 @@
 namespace plumb::references {
 namespace {
 
+constexpr double one_edge = 1e-7;  // of the way to it; ten steps of POV-Ray's resolution
+
 /// Where a ray only touches the edge of a box, it enters and leaves at once: this takes the face it leaves
 /// by.
 std::optional<FaceHit<double>> leaving_at_edges(const Ray<double>& ray, const Corners<double>& box,
@@ -19,7 +21,7 @@ std::optional<FaceHit<double>> leaving_at_edges(const Ray<double>& ray, const Co
   if (!hit || start != no_face) return hit;
   const auto leaving =
       formulas::intersect_box({formulas::point_at(ray, hit->t), ray.direction}, box, hit->face);
-  return leaving && leaving->t <= 10 * relative_step * hit->t ? FaceHit<double>{hit->t, leaving->face} : *hit;
+  return leaving && leaving->t <= one_edge * hit->t ? FaceHit<double>{hit->t, leaving->face} : *hit;
 }
 
 /// What is as near to the lit point, or to the light, as that is taken for the surface itself, or the light.
@@ -54,8 +56,16 @@ void move_surface(Shape& shape, double step, std::mt19937& random) {
   }
 }
 
-/// The world step in the space of each shape: divided by the most that any of its instances enlarges it.
-std::vector<double> steps_in_object_space(const Scene& scene, double world_step) {
+double size_of(const Shape& shape) {
+  if (const auto* sphere = std::get_if<Sphere>(&shape.geometry)) return sphere->radius;
+  const auto* box = std::get_if<Box>(&shape.geometry);
+  if (box == nullptr) return 0;
+  const Vec3d edges = box->max - box->min;
+  return std::max({edges.x, edges.y, edges.z});
+}
+
+/// How much the instances of each shape enlarge it at most.
+std::vector<double> enlargements(const Scene& scene) {
   std::vector<double> enlargement(scene.shapes.size(), 0);
   for_each_instance(scene, [&](const Instance& instance) {
     const Mat4<double>& m = instance.world_from_object.matrix;
@@ -63,9 +73,10 @@ std::vector<double> steps_in_object_space(const Scene& scene, double world_step)
       enlargement[instance.shape] = std::max(enlargement[instance.shape], glm::length(Vec3d(m[axis])));
     }
   });
-  for (double& e : enlargement) e = e > 0 ? world_step / e : 0;
   return enlargement;
 }
+
+constexpr double most_of_a_shape = 1e-5;
 
 /// Adds a copy of the shape and of all below it; every child has one parent then. Returns its place.
 ShapeId copy_apart(const Scene& from, ShapeId id, Scene& to) {
@@ -99,10 +110,22 @@ Scene with_instances_apart(const Scene& scene) {
   return apart;
 }
 
-Perturbation::Perturbation(const Scene& scene, const Camera& camera)
+double resolution_of(Judge judge) { return judge == Judge::povray ? 1e-8 : 1e-12; }
+
+Perturbation::Perturbation(const Scene& scene, const Camera& camera, Judge judge)
     : scene_(scene),
       extent_(exported_extent(scene, camera)),
-      steps_(steps_in_object_space(scene, relative_step * extent_)) {}
+      step_(resolution_of(judge) * extent_),
+      steps_(scene.shapes.size(), 0) {
+  const double wanted = step_;
+  const std::vector<double> enlargement = enlargements(scene);
+  for (ShapeId id = 0; id < scene.shapes.size(); ++id) {
+    const double size = size_of(scene.shapes[id]);
+    if (enlargement[id] == 0 || size == 0) continue;
+    steps_[id] = std::min(wanted / enlargement[id], most_of_a_shape * size);
+    step_ = std::min(step_, most_of_a_shape * size * enlargement[id]);
+  }
+}
 
 double Perturbation::factor(int pattern) { return pattern % 8 < 4 ? 1 : 1e-3; }
 
@@ -134,7 +157,7 @@ textbook::FormulaTable<double> Perturbation::formulas(int pattern) {
 }
 
 void Perturbation::begin_pixel(int pattern, std::size_t pixel) const {
-  nearest_hit = relative_step * extent_;
+  nearest_hit = step_;
   nearest_blocker = 10 * nearest_hit;  // POV-Ray's shadow tolerance, 1e-3 of 1e4 units
   chance.seed(static_cast<std::uint32_t>(pattern) * 7919U + static_cast<std::uint32_t>(pixel) + 1U);
 }

@@ -9,9 +9,12 @@
 
 namespace plumb::references {
 
-/// Surfaces are moved by so much of the scene's extent. POV-Ray takes the nearer of two hits only when they
-/// are 1e-4 units apart, and a scene is exported to span 1e4.
-inline constexpr double relative_step = 1e-8;
+/// What made the picture that is taken for right, and so what it does not resolve, as a share of the extent.
+enum class Judge {
+  povray,  ///< 1e-8: it takes the nearer of two hits only when they are 1e-4 units apart, of 1e4 in an export
+  baseline,  ///< 1e-12: plumb itself, on another machine; only roundings differ
+};
+double resolution_of(Judge judge);
 
 /// What 1e4 units of the export are in the scene.
 double exported_extent(const Scene& scene, const Camera& camera);
@@ -26,8 +29,10 @@ Scene with_instances_apart(const Scene& scene);
 /// the start of a ray, and taken by chance elsewhere.
 class Perturbation {
  public:
-  /// Both must outlive it.
-  Perturbation(const Scene& scene, const Camera& camera);
+  /// Both must outlive it. No shape is moved by more than 1e-5 of its size, and the step of the formulas is
+  /// at most that of the smallest shape: in a scene with a vast sky nothing small is moved by what is
+  /// visible.
+  Perturbation(const Scene& scene, const Camera& camera, Judge judge);
 
   double extent() const { return extent_; }
   /// How far the pattern moves, in steps.
@@ -41,6 +46,7 @@ class Perturbation {
  private:
   const Scene& scene_;
   double extent_;
+  double step_;                // of the formulas, in world lengths
   std::vector<double> steps_;  // in the space of each shape
 };
 

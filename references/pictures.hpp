@@ -15,7 +15,7 @@ namespace plumb::references {
 struct Pictures {
   std::shared_ptr<const Image> reference;
   std::shared_ptr<const Image> ours;
-  /// Rays of the worst pixel and of those that are over, 300 at most, as explain_text has them.
+  /// Rays of pixels that are over, as explain_text has them: of 300 at most, and 4 MB of text.
   std::vector<std::pair<PixelPlace, std::string>> explanations;
 };
 

@@ -89,8 +89,8 @@ void judge_image(const Baselines& baselines, const RegressOptions& options, cons
                      size_text(baseline->width, baseline->height) + asked;
     return;
   }
-  const AttributionJob job{read,         camera_of(read, options), options.render, *scene.baseline,
-                           *scene.image, options.tolerance};
+  const AttributionJob job{read,         camera_of(read, options), options.render,     *scene.baseline,
+                           *scene.image, options.tolerance,        Precision::float32, Judge::baseline};
   judge(job, result);
   if (options.keeps_pictures) result.pictures = pictures_of(job, result.comparison, result.budget);
   if (result.status == Status::differ) {

@@ -43,8 +43,8 @@ std::string verdict(const SceneResult& result, const std::string& broken) {
     if (budget.count(cause) > 0)
       said += std::string(" ") + to_string(cause) + " " + std::to_string(budget.count(cause)) + ",";
   }
-  said.back() = ';';
-  said += " shapes that take part:";
+  said.pop_back();
+  if (!budget.shapes.empty()) said += "; shapes that take part:";
   for (const std::string& name : budget.shapes) said += " '" + name + "'";
   return broken.empty() ? said : said + "; but " + broken;
 }
@@ -92,23 +92,35 @@ class SceneVerifier {
   void by_terms() {
     for (const Term term : all_terms) {
       if (!has(term, scene_)) continue;
-      const TermScene reduced = only(term, scene_, options_.render);
-      const ReferencePicture reference = picture_of(reduced.scene, reduced.options);
-      const Image ours = ours_of(reduced.scene, reduced.options);
-      TermResult result{term, compare(reference.image, ours, options_.tolerance)};
-      if (result.comparison.pixels_over > 0) {
-        result.unexplained =
-            attribute(job(reduced.scene, reduced.options, reference, ours)).count(Cause::unexplained);
+      try {
+        result_.terms.push_back(compared(term));
+      } catch (const std::runtime_error& error) {
+        add_message(result_,
+                    std::string("the term ") + to_string(term) + " could not be compared: " + error.what());
       }
-      result_.terms.push_back(std::move(result));
     }
     const auto first = std::find_if(result_.terms.begin(), result_.terms.end(),
                                     [](const TermResult& t) { return t.unexplained > 0; });
-    if (first != result_.terms.end())
-      add_message(result_, std::string("the difference lives in the term ") + to_string(first->term));
+    if (first == result_.terms.end()) return;
+    const bool differs = result_.status == Status::differ;
+    add_message(result_, std::string(differs ? "the difference lives in the term "
+                                             : "alone, there differs the term ") +
+                             to_string(first->term));
   }
 
  private:
+  TermResult compared(Term term) const {
+    const TermScene reduced = only(term, scene_, options_.render);
+    const ReferencePicture reference = picture_of(reduced.scene, reduced.options);
+    const Image ours = ours_of(reduced.scene, reduced.options);
+    TermResult result{term, compare(reference.image, ours, options_.tolerance)};
+    if (result.comparison.pixels_over > 0) {
+      result.unexplained =
+          attribute(job(reduced.scene, reduced.options, reference, ours)).count(Cause::unexplained);
+    }
+    return result;
+  }
+
   AttributionJob job(const Scene& scene, const RenderOptions& render, const ReferencePicture& reference,
                      const Image& ours) const {
     return {scene, camera_, render, reference.image, ours, options_.tolerance, reference.precision};

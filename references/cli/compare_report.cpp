@@ -41,7 +41,7 @@ void write_compare_report(const std::string& directory, const NamedImage& refere
     warn("report: " + said);
   }
   for (const auto& place : references::pixels_over(*entry.reference, *entry.test, tolerance)) {
-    entry.notes.push_back({place.x, place.y, "over the tolerance", ""});
+    entry.notes.push_back({place.x, place.y, "over", ""});
   }
   references::ReportWriter writer(directory, "plumb compare: " + test.path, "against " + reference.path);
   writer.add(entry);

@@ -56,17 +56,18 @@ int run_explain(const Options& options) {
   }
   const auto tree = references::ray_tree(scene, view.camera, view.size.width, view.size.height,
                                          render_options_of(options.common), options.x, options.y);
-  const ReferencePixel reference = reference_pixel(options, scene, view);
   if (options.json != "-") {
     std::printf("pixel (%d, %d) of %s, %d x %d\n%s", options.x, options.y, options.scene.c_str(),
                 view.size.width, view.size.height, references::explain_text(scene, tree).c_str());
     print_colour("ours", tree.colour, "");
-    if (reference.colour) {
-      print_colour("reference", *reference.colour, "   " + reference.from);
-      print_colour("difference", tree.colour - *reference.colour, "");
-    } else {
-      std::printf("reference  none: %s\n", reference.from.c_str());
-    }
+    flush_output();  // POV-Ray renders the whole picture, which may take a while
+  }
+  const ReferencePixel reference = reference_pixel(options, scene, view);
+  if (options.json != "-" && reference.colour) {
+    print_colour("reference", *reference.colour, "   " + reference.from);
+    print_colour("difference", tree.colour - *reference.colour, "");
+  } else if (options.json != "-") {
+    std::printf("reference  none: %s\n", reference.from.c_str());
   }
   if (!options.json.empty()) {
     const auto list = [](const Rgbd& c) { return Json{c.x, c.y, c.z}; };

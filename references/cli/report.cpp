@@ -28,6 +28,17 @@ std::string indented(const std::string& message) {
   return text;
 }
 
+std::string terms_text(const std::vector<references::TermResult>& terms) {
+  std::string text;
+  for (const references::TermResult& t : terms) {
+    text += formatted(" %s %.2g", references::to_string(t.term), t.comparison.judged_error);
+    if (t.unexplained > 0) text += formatted(" (%zu pixels unexplained)", t.unexplained);
+    text += ",";
+  }
+  text.pop_back();
+  return text;
+}
+
 Json flip_json(const references::Flip& flip) {
   Json json{{"kind", flip.exposures ? "HDR" : "LDR"}, {"mean", flip.mean}, {"max", flip.max}};
   if (const auto& e = flip.exposures) {
@@ -147,6 +158,7 @@ std::string table_row(const SceneResult& r, std::size_t width) {
                      r.comparison.pixels_over, r.budget.count(references::Cause::unexplained));
   }
   row += std::string(to_string(r.status)) + (r.cached ? " (cached)" : "");
+  if (!r.terms.empty()) row += "\n      largest error of each term:" + terms_text(r.terms);
   if (!r.message.empty()) row += "\n      " + indented(r.message);
   return row;
 }

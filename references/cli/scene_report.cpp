@@ -10,7 +10,7 @@ namespace {
 using references::PixelNote;
 using references::SceneResult;
 
-/// A note for each pixel over, with its rays where they were kept, and for the worst pixel.
+/// A note for each pixel over, with its rays where they were kept.
 std::vector<PixelNote> notes_of(const SceneResult& result) {
   std::map<std::pair<int, int>, std::string> rays;
   for (const auto& [place, text] : result.pictures->explanations) rays[{place.x, place.y}] = text;

@@ -60,8 +60,8 @@ int run_verify(const Options& options) {
     progress.show(static_cast<double>(++done) / static_cast<double>(options.scenes.size()));
   });
   progress.clear();
-  page.finish();
   if (!options.json.empty()) write_json(options.json, to_json(report));
+  page.finish();
   if (table) std::printf("%s\n", outcome(report).c_str());
   return report.exit_code();
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <stdexcept>
 #include <utility>
 
@@ -27,6 +28,18 @@ void make_directory(const std::string& path) {
   if (!fs::is_directory(path)) {
     throw std::runtime_error(path + ": cannot be made a directory for the report: " + error.message());
   }
+}
+
+/// A page that somebody else made is not replaced.
+void refuse_to_replace_others(const fs::path& directory) {
+  const fs::path page = directory / "index.html";
+  if (!fs::exists(page)) return;
+  std::ifstream file(page, std::ios::binary);
+  std::string head(1000, '\0');
+  file.read(head.data(), static_cast<std::streamsize>(head.size()));
+  if (head.find("<meta name=\"generator\" content=\"plumb\">") != std::string::npos) return;
+  throw std::runtime_error(page.string() +
+                           ": is no report of plumb and is not replaced; choose another directory");
 }
 
 /// NUMBER-HASH.js: what reports name their pictures, and hardly anybody else.
@@ -63,6 +76,7 @@ ReportWriter::ReportWriter(std::string directory, std::string title, std::string
       subtitle_(std::move(subtitle)),
       most_inline_(most_inline) {
   make_directory(directory_);
+  refuse_to_replace_others(directory_);
 }
 
 void ReportWriter::add(const ReportEntry& entry) {

@@ -95,7 +95,8 @@ bool in_place(const Exr& exr, const std::string& path, PixelRows& rows) {
       return false;
   }
   const auto mapped = std::make_shared<const MappedFile>(path);
-  if (other.data_offset + line > mapped->bytes().size()) return false;
+  const std::uint64_t size = mapped->bytes().size();
+  if (line > size || first.data_offset > other.data_offset || other.data_offset > size - line) return false;
   rows.top = reinterpret_cast<const std::byte*>(mapped->bytes().data()) + first.data_offset;
   rows.stride = static_cast<std::ptrdiff_t>(line + chunk_head);
   rows.owner = mapped;

@@ -59,7 +59,8 @@ bool open_tiff(const std::string& path, PixelRows& rows) {
   const std::uint64_t row_bytes = std::uint64_t{width} * channels * sizeof(float);
   const std::uint64_t first = first_pixel(file.get(), row_bytes, height);
   const auto mapped = std::make_shared<const MappedFile>(path);
-  if (first == 0 || first + row_bytes * height > mapped->bytes().size()) return false;
+  const std::uint64_t size = mapped->bytes().size();
+  if (first == 0 || row_bytes * height > size || first > size - row_bytes * height) return false;
   rows.width = static_cast<int>(width);
   rows.height = static_cast<int>(height);
   rows.channels = channels;
