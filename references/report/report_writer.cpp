@@ -33,7 +33,7 @@ void make_directory(const std::string& path) {
 /// A page that somebody else made is not replaced.
 void refuse_to_replace_others(const fs::path& directory) {
   const fs::path page = directory / "index.html";
-  if (!fs::exists(page)) return;
+  if (!fs::is_regular_file(page)) return;
   std::ifstream file(page, std::ios::binary);
   std::string head(1000, '\0');
   file.read(head.data(), static_cast<std::streamsize>(head.size()));

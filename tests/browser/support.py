@@ -63,7 +63,7 @@ class ReportTest(unittest.TestCase):
         self.wait(lambda: self.script("return document.querySelector('main.scene')?.dataset.ready") == name)
         self.wait(lambda: self.script("return document.querySelector('.pane canvas')?.dataset.transform"))
 
-    def wait(self, condition, seconds=20):
+    def wait(self, condition, seconds=60):
         return WebDriverWait(self.browser, seconds, poll_frequency=0.05).until(lambda _: condition())
 
     def script(self, text, *arguments):

@@ -191,14 +191,28 @@ TEST(ReportPage, NamesNoOtherPlace) {
 
 TEST(ReportWriterFiles, NothingBeforeTheEnd) {
   const Workplace place;
-  place.file("index.html", "old");
+  const std::string old = "<meta name=\"generator\" content=\"plumb\">old";
+  place.file("index.html", old);
   ReportWriter writer(place.directory(), "t", "");
   writer.add(small_entry());
-  EXPECT_EQ(read_file(place.path("index.html")), "old");
+  EXPECT_EQ(read_file(place.path("index.html")), old);
   EXPECT_EQ(listing(place.directory()), std::vector<std::string>{"index.html"});
   writer.finish();
   EXPECT_TRUE(contains(read_file(place.path("index.html")), "report-data"));
   EXPECT_EQ(listing(place.directory()), std::vector<std::string>{"index.html"});
+}
+
+TEST(ReportWriterFiles, APageOfSomebodyElseIsNotReplaced) {
+  const Workplace place;
+  place.file("index.html", "<h1>mine</h1>");
+  EXPECT_THROW(ReportWriter(place.directory(), "t", ""), std::runtime_error);
+  EXPECT_EQ(read_file(place.path("index.html")), "<h1>mine</h1>");
+  const Workplace other;
+  for (int i = 0; i < 2; ++i) {
+    ReportWriter writer(other.directory(), "t", "");
+    writer.add(small_entry());
+    EXPECT_NO_THROW(writer.finish()) << "its own are";
+  }
 }
 
 TEST(ReportWriterFiles, AFailureLeavesNothing) {
