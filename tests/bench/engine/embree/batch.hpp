@@ -1,4 +1,5 @@
-// Rays in blocks of sixteen, as arrays of floats: what Embree's packets take and what the compiler vectorises.
+// Rays in blocks of sixteen, as arrays of floats: what Embree's packets take and what the compiler
+// vectorises.
 #pragma once
 
 #include <embree3/rtcore.h>
@@ -16,7 +17,8 @@ inline constexpr float no_limit = 1e30F;  ///< t_max of a ray that ends nowhere;
 /// A lane without a ray has t_max < t_min, which Embree skips.
 inline constexpr float no_ray = -1;
 
-/// The transmissive objects that a ray is inside of, as in tracer/textbook/interiors.hpp; deeper nesting throws.
+/// The transmissive objects that a ray is inside of, as in tracer/textbook/interiors.hpp; deeper nesting
+/// throws.
 struct Media {
   static constexpr int most = 6;
   int count = 0;
@@ -63,10 +65,18 @@ struct Batch {
   int count = 0;                   ///< of rays
 
   int block_count() const { return (count + lanes - 1) / lanes; }
-  /// Marks the lanes past the last ray.
+  /// Marks the lanes past the last ray, and fills them with numbers.
   void close() {
     for (int i = count; i < block_count() * lanes; ++i) {
-      blocks[static_cast<std::size_t>(i / lanes)].ray.ray.tfar[i % lanes] = no_ray;
+      Block& block = blocks[static_cast<std::size_t>(i / lanes)];
+      RTCRay16& ray = block.ray.ray;
+      const int lane = i % lanes;
+      ray.org_x[lane] = ray.org_x[0], ray.org_y[lane] = ray.org_y[0], ray.org_z[lane] = ray.org_z[0];
+      ray.dir_x[lane] = ray.dir_x[0], ray.dir_y[lane] = ray.dir_y[0], ray.dir_z[lane] = ray.dir_z[0];
+      ray.tnear[lane] = 0, ray.tfar[lane] = no_ray;
+      ray.time[lane] = 0, ray.mask[lane] = ~0U, ray.id[lane] = 0, ray.flags[lane] = 0;
+      block.ray.hit.geomID[lane] = block.ray.hit.instID[0][lane] = RTC_INVALID_GEOMETRY_ID;
+      block.pixel[lane] = -1;
     }
   }
 };

@@ -64,8 +64,9 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("--depth", options.job.depth, "as in plumb render")->capture_default_str();
   app.add_option("--threads", options.job.threads, "threads")->capture_default_str();
   app.add_option("--tile", options.job.tile, "edge of a tile, a multiple of 4")->capture_default_str();
-  app.footer("Prints JSON: seconds of building and of rendering in each mode.\n"
-             "Example: plumb_bench_embree lecture.sdf --depth 6 -o lecture-");
+  app.footer(
+      "Prints JSON: seconds of building and of rendering in each mode.\n"
+      "Example: plumb_bench_embree lecture.sdf --depth 6 -o lecture-");
 }
 
 }  // namespace

@@ -26,7 +26,8 @@ constexpr std::uint32_t faces_of_box[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1,
 double similarity_factor(const Mat4<double>& m) {
   const Vec3d x(m[0]), y(m[1]), z(m[2]);
   const double factor = glm::length(x);
-  const double skew = std::max({std::abs(glm::dot(x, y)), std::abs(glm::dot(y, z)), std::abs(glm::dot(z, x))});
+  const double skew =
+      std::max({std::abs(glm::dot(x, y)), std::abs(glm::dot(y, z)), std::abs(glm::dot(z, x))});
   const double stretch = std::max(std::abs(glm::length(y) - factor), std::abs(glm::length(z) - factor));
   return skew < 1e-9 * factor * factor && stretch < 1e-9 * factor ? factor : 0;
 }
@@ -51,7 +52,8 @@ void add_sphere(Group& group, const Sphere& sphere, const Mat4<double>& m, doubl
 template <class T>
 void fill(RTCGeometry geometry, RTCBufferType type, RTCFormat format, const std::vector<T>& values,
           std::size_t per_item) {
-  void* to = rtcSetNewGeometryBuffer(geometry, type, 0, format, per_item * sizeof(T), values.size() / per_item);
+  void* to =
+      rtcSetNewGeometryBuffer(geometry, type, 0, format, per_item * sizeof(T), values.size() / per_item);
   if (to == nullptr) throw std::runtime_error("Embree has no memory for a buffer");
   std::memcpy(to, values.data(), values.size() * sizeof(T));
 }
@@ -73,7 +75,9 @@ std::vector<std::uint32_t> quad_indices(std::size_t boxes) {
   return indices;
 }
 
-void report_error(void*, RTCError, const char* text) { throw std::runtime_error(std::string("Embree: ") + text); }
+void report_error(void*, RTCError, const char* text) {
+  throw std::runtime_error(std::string("Embree: ") + text);
+}
 
 bool count_bytes(void* bytes, ssize_t change, bool) {
   *static_cast<std::int64_t*>(bytes) += change;
@@ -131,7 +135,8 @@ class SceneBuilder {
   }
 
   void place_sphere(const Sphere& sphere, const Mat4<double>& m, std::size_t group) {
-    if (const double factor = similarity_factor(m); factor > 0) return add_sphere(groups_[group], sphere, m, factor);
+    if (const double factor = similarity_factor(m); factor > 0)
+      return add_sphere(groups_[group], sphere, m, factor);
     if (group != 0) throw std::runtime_error("an ellipsoid inside an instance needs two levels of instances");
     groups_.emplace_back();
     add_sphere(groups_.back(), sphere, Mat4<double>(1), 1);
@@ -179,11 +184,11 @@ class SceneBuilder {
     all.insert(all.end(), group.quad_materials.begin(), group.quad_materials.end());
   }
 
-  void add_slot(const Mat4<double>& inverse, const std::vector<std::int32_t> (&first)[2], std::size_t group) const {
+  void add_slot(const Mat4<double>& inverse, const std::vector<std::int32_t> (&first)[2],
+                std::size_t group) const {
     Objects& objects = target_.objects_;
     for (int kind = 0; kind < 2; ++kind) objects.first_primitive[kind].push_back(first[kind][group]);
-    for (int i = 0; i < 9; ++i)
-      objects.normal_matrix[i].push_back(static_cast<float>(inverse[i / 3][i % 3]));
+    for (int i = 0; i < 9; ++i) objects.normal_matrix[i].push_back(static_cast<float>(inverse[i / 3][i % 3]));
   }
 
   EmbreeScene& target_;

@@ -27,8 +27,8 @@ struct Objects {
 /// Owns the device and all scenes.
 class EmbreeScene {
  public:
-  /// Builds on `threads` threads. Throws std::runtime_error on what Embree reports, and on an ellipsoid inside
-  /// an instance, for Debian's Embree has one level of instances.
+  /// Builds on `threads` threads. Throws std::runtime_error on what Embree reports, and on an ellipsoid
+  /// inside an instance, for Debian's Embree has one level of instances.
   EmbreeScene(const Scene& scene, int threads);
   ~EmbreeScene();
   EmbreeScene(const EmbreeScene&) = delete;

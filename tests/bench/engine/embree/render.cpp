@@ -58,7 +58,8 @@ class TileRenderer {
       now_.close();
       caster_.intersect(now_.blocks.get(), now_.block_count(), depth == 0);
       shade(depth + 1 < job_.depth && looks_.has_secondary, depth == 0);
-      for (int i = 0; i < now_.count; ++i) add(now_.blocks[static_cast<std::size_t>(i / lanes)], i % lanes, image);
+      for (int i = 0; i < now_.count; ++i)
+        add(now_.blocks[static_cast<std::size_t>(i / lanes)], i % lanes, image);
       std::swap(now_, next_);
     }
   }

@@ -46,10 +46,12 @@ Surfaces Shader::surfaces(const Block& block) const {
   for (int i = 0; i < lanes; ++i) {
     s.is_hit[i] = ray.tfar[i] >= 0 && hit.geomID[i] != RTC_INVALID_GEOMETRY_ID ? 1 : 0;
     const auto instance = static_cast<std::int32_t>(hit.instID[0][i]);
-    slot[i] = s.is_hit[i] != 0 && instance >= 0 ? instance - static_cast<std::int32_t>(first_instance) + 1 : 0;
+    slot[i] =
+        s.is_hit[i] != 0 && instance >= 0 ? instance - static_cast<std::int32_t>(first_instance) + 1 : 0;
     const std::int32_t first = hit.geomID[i] == quad_geometry ? objects_.first_primitive[1][slot[i]]
                                                               : objects_.first_primitive[0][slot[i]];
-    s.material[i] = objects_.material[s.is_hit[i] != 0 ? first + static_cast<std::int32_t>(hit.primID[i]) : 0];
+    s.material[i] =
+        objects_.material[s.is_hit[i] != 0 ? first + static_cast<std::int32_t>(hit.primID[i]) : 0];
   }
   const auto& n = objects_.normal_matrix;
   const bool has_instances = objects_.has_instances;
@@ -66,7 +68,7 @@ Surfaces Shader::surfaces(const Block& block) const {
     const float facing = x * ray.dir_x[i] + y * ray.dir_y[i] + z * ray.dir_z[i] > 0 ? -1.0F : 1.0F;
     const float factor = facing / std::sqrt(length_squared(x, y, z) + 1e-37F);
     s.normal[0][i] = factor * x, s.normal[1][i] = factor * y, s.normal[2][i] = factor * z;
-    const float t = ray.tfar[i];
+    const float t = s.is_hit[i] != 0 ? ray.tfar[i] : 0.0F;
     const float px = ray.org_x[i] + t * ray.dir_x[i];
     const float py = ray.org_y[i] + t * ray.dir_y[i];
     const float pz = ray.org_z[i] + t * ray.dir_z[i];
@@ -142,8 +144,8 @@ void Shader::spawn(const Batch& batch, int block, const Surfaces& s, Batch& next
 namespace {
 
 /// A new ray at a hit: `side` is 1 to stay on the viewer's side of the surface, -1 to cross it.
-void append(const Block& from, int lane, const Surfaces& s, const float* direction, float side, const float* weight,
-            const Media* media, Batch& next) {
+void append(const Block& from, int lane, const Surfaces& s, const float* direction, float side,
+            const float* weight, const Media* media, Batch& next) {
   Block& block = next.blocks[static_cast<std::size_t>(next.count / lanes)];
   const int i = next.count % lanes;
   RTCRay16& ray = block.ray.ray;
@@ -203,8 +205,7 @@ void Shader::spawn_one(const Batch& batch, int number, int i, const Surfaces& s,
 void add_light(const ShadowBlock& shadow, Block& block) {
   for (int c = 0; c < 3; ++c) {
 #pragma omp simd
-    for (int i = 0; i < lanes; ++i)
-      block.colour[c][i] += shadow.ray.tfar[i] > 0 ? shadow.colour[c][i] : 0.0F;
+    for (int i = 0; i < lanes; ++i) block.colour[c][i] += shadow.ray.tfar[i] > 0 ? shadow.colour[c][i] : 0.0F;
   }
 }
 
