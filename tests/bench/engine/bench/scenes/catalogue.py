@@ -1,5 +1,6 @@
 """All scenes of the benchmark by name, smallest first."""
 
+import os
 from collections import namedtuple
 
 from . import random_objects, rooms, sphereflake
@@ -24,3 +25,10 @@ def _entries():
 
 
 SCENES = sorted(_entries(), key=lambda entry: entry.objects)
+
+
+def write(path, lines):
+    """Aside, then renamed."""
+    with open(path + ".part", "w", encoding="ascii") as file:
+        file.write("\n".join(lines) + "\n")
+    os.replace(path + ".part", path)
