@@ -3,6 +3,7 @@
 import os
 import subprocess
 import tempfile
+import threading
 import time
 from collections import namedtuple
 
@@ -20,29 +21,23 @@ def run(command, directory=None, limit=300, exits=(0,)):
     with tempfile.TemporaryFile("w+", encoding="utf-8", errors="replace") as output:
         process = subprocess.Popen(command, cwd=directory, stdout=output, stderr=subprocess.STDOUT,
                                    stdin=subprocess.DEVNULL)
-        usage = _wait(process, began + limit)
+        usage, was_killed = _wait(process, limit)
         wall = time.monotonic() - began
         output.seek(0)
         text = output.read()
-    if usage is None:
+    if was_killed:
         raise Failed(f"{command[0]} took longer than {limit} s")
     if process.returncode not in exits:
         raise Failed(f"{' '.join(command)} ended with {process.returncode}: {text[-500:].strip()}")
     return Run(usage.ru_utime + usage.ru_stime, wall, usage.ru_maxrss * 1024, text)
 
 
-def _wait(process, deadline):
-    """The resources that the process used; None when it had to be killed. Waits without using CPU time."""
-    pause = 0.001
-    while True:
-        pid, status, usage = os.wait4(process.pid, os.WNOHANG)
-        if pid != 0:
-            process.returncode = os.waitstatus_to_exitcode(status)
-            return usage
-        if time.monotonic() > deadline:
-            process.kill()
-            os.wait4(process.pid, 0)
-            process.returncode = -9
-            return None
-        time.sleep(pause)
-        pause = min(2 * pause, 0.02)
+def _wait(process, limit):
+    """The resources that the process used, and whether it had to be killed."""
+    timer = threading.Timer(limit, process.kill)
+    timer.start()
+    _, status, usage = os.wait4(process.pid, 0)
+    was_killed = not timer.is_alive()
+    timer.cancel()
+    process.returncode = os.waitstatus_to_exitcode(status)
+    return usage, was_killed
