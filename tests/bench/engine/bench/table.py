@@ -26,8 +26,19 @@ def means(rows):
 
 
 def markdown(result):
-    return "\n".join(speeds(result["rows"]) + [""] + growths(result["growth"]) + [""] +
-                     objects(result["per_object"]) + [""] + rest(result))
+    parts = (speeds(result["rows"]), reached(result["goals"]), growths(result["growth"]), objects(result["per_object"]),
+             rest(result))
+    return "\n\n".join("\n".join(part) for part in parts if part)
+
+
+def reached(goals):
+    if not goals:
+        return []
+    lines = line(["figure", "to reach", "measured", ""]) + line(["---"] * 4)
+    for goal in goals:
+        lines += line([goal["title"], (">= " if goal["at_least"] else "<= ") + number(goal["target"]),
+                       number(goal["measured"]), "met" if goal["met"] else "**missed**"])
+    return lines
 
 
 def speeds(rows):
@@ -47,6 +58,8 @@ def speeds(rows):
 
 
 def growths(found):
+    if not found:
+        return []
     lines = line(["family", "depth", "renderer", "scenes", "time ~ objects^"]) + line(["---"] * 5)
     for entry in found:
         lines += line([entry["family"], str(entry["depth"] - 1), entry["renderer"], str(entry["scenes"]),
@@ -55,6 +68,8 @@ def growths(found):
 
 
 def objects(found):
+    if not found:
+        return []
     lines = line(["scene", "renderer", "build, us/object", "reading, us/object", "bytes/object"]) + line(["---"] * 5)
     for entry in found:
         for name in sorted({*entry["build_us"], *entry["read_us"], *entry["bytes"]}):
