@@ -63,7 +63,8 @@ def sphere(shape, matrix):
 def box(shape, matrix):
     """Twelve triangles: Tachyon's own box is turned no way, and its normals are right for cubes alone."""
     low, high = shape.numbers[:3], shape.numbers[3:]
-    corners = [_point(sdf.moved(matrix, [(high if i >> axis & 1 else low)[axis] for axis in range(3)])) for i in range(8)]
+    corners = [_point(sdf.moved(matrix, [(high if i >> axis & 1 else low)[axis] for axis in range(3)]))
+               for i in range(8)]
     lines = []
     for a, b, c, d in ((0, 4, 6, 2), (1, 3, 7, 5), (0, 1, 5, 4), (2, 6, 7, 3), (0, 2, 3, 1), (4, 5, 7, 6)):
         for i, j, k in ((a, b, c), (a, c, d)):

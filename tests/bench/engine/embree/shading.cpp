@@ -46,7 +46,7 @@ Surfaces Shader::surfaces(const Block& block) const {
     const float pz = ray.org_z[i] + t * ray.dir_z[i];
     s.point[0][i] = px, s.point[1][i] = py, s.point[2][i] = pz;
     const float size = std::max(std::max(std::abs(px), std::abs(py)), std::max(std::abs(pz), t));
-    s.offset[i] = size * 7e-7F;
+    s.offset[i] = size * 7e-7F;  // six units in the last place
   }
   return s;
 }

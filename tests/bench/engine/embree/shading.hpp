@@ -11,8 +11,7 @@ namespace plumb::bench {
 struct alignas(64) Surfaces {
   float point[3][lanes];
   float normal[3][lanes];  ///< unit, toward the viewer
-  float
-      offset[lanes];  ///< how far off the surface a new ray starts: 6 units in the last place of point and t
+  float offset[lanes];     ///< by which a new ray starts off the surface, against meeting it again
   std::int32_t material[lanes];
   int is_hit[lanes];
 };
