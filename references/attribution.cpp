@@ -26,6 +26,19 @@ Colour rounded(const Rgbd& c) {
   return {static_cast<float>(c.x), static_cast<float>(c.y), static_cast<float>(c.z)};
 }
 
+/// Ends a pixel that has too many rays.
+class RayLimit : public textbook::NoObserver<double> {
+ public:
+  bool ray_begins(textbook::RayKind, const Ray<double>&, int /*depth*/) const {
+    return ++*rays_ <= most_rays_of_pixel;
+  }
+  /// Whether the pixel was ended since the last call.
+  bool take_is_cut() const { return std::exchange(*rays_, 0) > most_rays_of_pixel; }
+
+ private:
+  std::shared_ptr<std::size_t> rays_ = std::make_shared<std::size_t>(0);  // of all copies
+};
+
 /// A scene and what traces single pixels of it, with or without a record of the rays.
 class PixelTracer {
  public:
@@ -33,12 +46,17 @@ class PixelTracer {
               const textbook::FormulaTable<double>& formulas = {})
       : scene_(std::move(scene)),
         world_(scene_, formulas),
-        tracer_(world_, job.camera, job.reference.width, job.reference.height, options),
+        tracer_(world_, job.camera, job.reference.width, job.reference.height, options, limit_),
         recording_(world_, job.camera, job.reference.width, job.reference.height, options, recorder_) {}
   PixelTracer(const PixelTracer&) = delete;
   PixelTracer& operator=(const PixelTracer&) = delete;
 
-  Colour at(const AttributedPixel& p) const { return rounded(tracer_.raycast(p.x, p.y)); }
+  /// Nothing when the pixel has too many rays to be traced.
+  std::optional<Colour> at(const AttributedPixel& p) const {
+    const Colour colour = rounded(tracer_.raycast(p.x, p.y));
+    if (limit_.take_is_cut()) return std::nullopt;
+    return colour;
+  }
   RayNode tree_of(const AttributedPixel& p) const {
     recording_.raycast(p.x, p.y);
     return recorder_.take();
@@ -48,7 +66,8 @@ class PixelTracer {
   using Formulas = textbook::ReplaceableFormulas<double>;
   Scene scene_;
   textbook::World<double> world_;
-  textbook::Tracer<double> tracer_;
+  RayLimit limit_;
+  textbook::Tracer<double, Formulas, RayLimit> tracer_;
   Recorder recorder_;
   textbook::Tracer<double, Formulas, Recorder> recording_;
 };
@@ -119,7 +138,9 @@ class Attribution {
     std::vector<Suspect> all;
     for (AttributedPixel& p : budget_.pixels) {
       if (p.cause != Cause::unexplained || !is_finite(p)) continue;
-      Suspect& s = all.emplace_back(Suspect{&p, still.at(p)});
+      const std::optional<Colour> unmoved = still.at(p);
+      if (!unmoved) continue;
+      Suspect& s = all.emplace_back(Suspect{&p, *unmoved});
       try_outcome(no_pattern, s.unmoved, s);
     }
     return all;
@@ -157,10 +178,11 @@ class Attribution {
 
   void try_pattern(int pattern, const PixelTracer& moved, Suspect& s) const {
     perturbation_.begin_pixel(pattern, number_of(s));
-    const Colour outcome = moved.at(*s.pixel);
+    const std::optional<Colour> outcome = moved.at(*s.pixel);
+    if (!outcome) return;
     s.varies =
-        s.varies || !is_within(s.unmoved.data(), outcome.data(), std::max(job_.tolerance, jump_of(pattern)));
-    try_outcome(pattern, outcome, s);
+        s.varies || !is_within(s.unmoved.data(), outcome->data(), std::max(job_.tolerance, jump_of(pattern)));
+    try_outcome(pattern, *outcome, s);
   }
 
   /// Whether the outcome is what one of the pictures shows; when both are found, their rays tell the cause.
@@ -208,7 +230,8 @@ class Attribution {
       for (int i = 0; i < patterns_of_one && !found.contains(id); ++i) {
         const PixelTracer moved(perturbation_.with_one_moved(id, i), job_, job_.options);
         const bool changes = std::any_of(proven.begin(), proven.end(), [&](const Suspect* s) {
-          return !is_within(still.at(*s->pixel).data(), moved.at(*s->pixel).data(), job_.tolerance);
+          const std::optional<Colour> outcome = moved.at(*s->pixel);
+          return outcome && !is_within(s->unmoved.data(), outcome->data(), job_.tolerance);
         });
         if (changes) found.insert(id);
       }
@@ -263,11 +286,11 @@ class Attribution {
     const PixelTracer still(scene_, job_, job_.options);
     for (AttributedPixel& p : budget_.pixels) {
       if (p.cause != Cause::unexplained || !is_finite(p)) continue;
-      const Colour ours = still.at(p);
-      const Colour other = tracer.at(p);
-      const bool both = is_within(test(p), ours.data(), job_.tolerance) &&
-                        is_within(reference(p), other.data(), job_.tolerance) &&
-                        !is_within(ours.data(), other.data(), job_.tolerance);
+      const std::optional<Colour> ours = still.at(p);
+      const std::optional<Colour> other = tracer.at(p);
+      const bool both = ours && other && is_within(test(p), ours->data(), job_.tolerance) &&
+                        is_within(reference(p), other->data(), job_.tolerance) &&
+                        !is_within(ours->data(), other->data(), job_.tolerance);
       if (both &&
           first_divergence(still.tree_of(p), tracer.tree_of(p), perturbation_.extent()) == Cause::depth)
         p.cause = Cause::depth;

@@ -69,8 +69,8 @@ struct AttributionJob {
 /// another one the test's, each within the tolerance, and when the ray trees of the two have another hit,
 /// light or ray: the first difference names the cause. Depth is proven when the test's value is traced, one
 /// ray more or less gives the reference's, which is another one, and the ray trees part at the limit; against
-/// a baseline it is no excuse. Non-finite pixels are never explained, nor is any of a picture that differs as
-/// a whole (more than about 80,000 pixels).
+/// a baseline it is no excuse. Pixels with more rays than are traced (see TreeTracer) and non-finite ones are
+/// never explained, nor is any of a picture that differs as a whole (more than about 80,000 pixels).
 Budget attribute(const AttributionJob& job);
 
 /// The bound that a cause breaks, in words; empty when all hold. An edge meets pixel centres by chance at

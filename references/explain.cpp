@@ -118,7 +118,7 @@ class Writer {
     for (const RayNode& child : node.children)
       ray(child, indent + 1, weight_of(child.kind, terms.material()));
     if (node.is_cut)
-      line(indent + 1, "... and rays that are left out: there are too many, choose a smaller --depth");
+      line(indent + 1, "... and rays that were not traced: there are too many, choose a smaller --depth");
     const bool is_total = !node.children.empty() && node.children.front().kind == RayKind::totally_reflected;
     if (is_total)
       line(indent + 1, "colour = local + R = " + triple(node.colour), "Brechung: total reflection");
@@ -192,6 +192,12 @@ Json light_json(const Terms& terms, std::size_t i, const LightSeen<double>& seen
 }
 
 }  // namespace
+
+std::string cut_note(const RayNode& tree) {
+  if (!is_cut(tree)) return {};
+  return "the tree is cut: the pixel has more than " + std::to_string(most_rays_of_pixel) +
+         " rays, and the sum covers only those that were traced; choose a smaller --depth";
+}
 
 std::string explain_text(const Scene& scene, const RayNode& tree) { return Writer(scene).text(tree); }
 

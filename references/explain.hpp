@@ -8,6 +8,9 @@
 
 namespace plumb::references {
 
+/// What a reader of the sum must know when rays were not traced; else empty.
+std::string cut_note(const RayNode& tree);
+
 /// Indented lines, the camera ray first. `scene` is the one that the tree was made from.
 std::string explain_text(const Scene& scene, const RayNode& tree);
 

@@ -198,6 +198,23 @@ define shape sphere ball 1 0 -4 0.5 other
       << "a reference of floats has no such excuse";
 }
 
+/// Mirrors that transmit double the rays with each level: the pictures are none of the scene's, for it is
+/// never rendered.
+TEST(Attribution, APixelOfTooManyRaysIsUnexplained) {
+  const Scene scene = scene_of(head + R"(
+define material both 0.1 0.1 0.1 0 0 0 0 0 0 1 mirror 0.5 0.5 0.5 transmit 0.5 0.5 0.5 eta 1.1
+define shape sphere outer 0 0 -5 3 both
+define shape sphere inner 0 0 -5 2 both
+)");
+  RenderOptions deep;
+  deep.depth = 256;
+  const Image reference = picture(scene);
+  Image test = reference;
+  for (float& v : test.rgb) v += 0.1F;
+  const Budget budget = references::attribute({scene, scene.cameras.front(), deep, reference, test, 1e-6});
+  EXPECT_EQ(budget.count(Cause::unexplained), static_cast<std::size_t>(side * side));
+}
+
 TEST(Attribution, WhatIsNotFiniteIsNeverExplained) {
   const Scene scene = scene_of(edge_along_a_column);
   Image reference = picture(scene);
