@@ -217,6 +217,7 @@ void judge(const AttributionJob& job, SceneResult& result) {
   const bool agrees = result.budget.count(Cause::unexplained) == 0 && broken.empty();
   result.status = agrees ? Status::agree : Status::differ;
   add_message(result, verdict(result, broken));
+  add_message(result, result.budget.note());
 }
 
 VerifyReport verify(const std::vector<std::string>& scenes, const VerifyOptions& options,

@@ -58,6 +58,7 @@ Json scene_json(const SceneResult& r) {
   json.update(plumb::cli::to_json(r.comparison));
   json["metrics"] = plumb::cli::to_json(r.metrics);
   json["budget"] = plumb::cli::to_json(r.budget);
+  json["unexamined"] = r.budget.unexamined;
   json["shapes"] = r.budget.shapes;
   for (const references::TermResult& t : r.terms) {
     json["terms"][references::to_string(t.term)] = {{"max_error", t.comparison.max_error},

@@ -53,10 +53,10 @@ Scene scene_of(const std::string& text) {
   return read.scene;
 }
 
-Image picture(const Scene& scene, const RenderOptions& options = {}) {
+Image picture(const Scene& scene, const RenderOptions& options = {}, int pixels = side) {
   textbook::RenderJob job;
-  job.width = side;
-  job.height = side;
+  job.width = pixels;
+  job.height = pixels;
   job.options = options;
   return textbook::render(scene, scene.cameras.front(), job);
 }
@@ -238,6 +238,52 @@ TEST(Attribution, AnotherModelIsUnexplained) {
       EXPECT_EQ(as_test.explained(), 0U) << "a wrong test picture against a right reference: " << text;
     }
   }
+}
+
+constexpr int large_side = 64;
+
+TEST(Attribution, OfAPictureThatDiffersAsAWholeASampleIsExamined) {
+  const Scene scene = scene_of(edge_along_a_column);
+  Scene wrong = scene;
+  wrong.background *= 1.001;
+  for (Material& m : wrong.materials) m.ka *= 1.001;
+  const Budget budget = budget_of(scene, picture(scene, {}, large_side), picture(wrong, {}, large_side));
+  const std::size_t all = large_side * large_side;
+  EXPECT_EQ(budget.count(Cause::unexplained), all);
+  EXPECT_EQ(budget.unexamined, all - 256);
+  EXPECT_NE(budget.note(), "");
+}
+
+TEST(Attribution, AllAreExaminedWhenTheSampleIsExplained) {
+  const Scene scene = scene_of(head +
+                               "define shape box one -19 -19 -6 19 19 -4 wall\n"
+                               "define shape box two -19 -19 -7 19 19 -4 other\n");
+  Scene moved = scene;
+  std::get<Box>(moved.shapes[1].geometry).max.z += 1e-9;
+  Scene back = scene;
+  std::get<Box>(back.shapes[1].geometry).max.z -= 1e-9;
+  const Budget budget = budget_of(scene, picture(moved, {}, large_side), picture(back, {}, large_side));
+  EXPECT_EQ(budget.count(Cause::coincident), static_cast<std::size_t>(large_side * large_side));
+  EXPECT_EQ(budget.unexamined, 0U);
+  EXPECT_EQ(budget.note(), "");
+}
+
+TEST(Attribution, WhatIsLeftWhenTheWorkIsOverIsUnexamined) {
+  const Scene scene = scene_of(two_at_one_place);
+  Scene moved = scene;
+  std::get<Box>(moved.shapes[1].geometry).max.z += 1e-9;
+  const Image reference = picture(moved);
+  const Image test = picture(scene);
+  references::AttributionJob job{scene, scene.cameras.front(), {}, reference, test, 1e-6};
+  const Budget whole = references::attribute(job);
+  ASSERT_EQ(whole.count(Cause::coincident), whole.pixels.size());
+  EXPECT_EQ(whole.unexamined, 0U);
+  job.work = 100;  // a few rays
+  const Budget begun = references::attribute(job);
+  EXPECT_EQ(begun.pixels.size(), whole.pixels.size());
+  EXPECT_EQ(begun.unexamined, begun.count(Cause::unexplained));
+  EXPECT_GT(begun.unexamined, 0U);
+  EXPECT_NE(begun.note(), "");
 }
 
 TEST(Attribution, BoundsHoldForFewAndBreakForMany) {
