@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -58,9 +59,7 @@ class Attribution {
     for (const PixelPlace p : pixels_over(job_.reference, job_.test, job_.tolerance)) {
       budget_.pixels.push_back({p.x, p.y, Cause::unexplained});
     }
-    for (AttributedPixel& pixel : budget_.pixels) {
-      if (is_finite(pixel)) explain_by_format(pixel);
-    }
+    if (job_.precision != Precision::float32) explain_by_format();
     const Pixels all = still_unexplained();
     if (all.size() > most_without_sample && !is_explained(sample_of(all))) {
       budget_.unexamined = all.size() - sample_of(all).size();
@@ -109,9 +108,17 @@ class Attribution {
            std::all_of(test(p), test(p) + 3, [](float v) { return std::isfinite(v); });
   }
 
-  /// Clamping and rounding to integers, to the last bit but for the rounding of the float itself.
-  void explain_by_format(AttributedPixel& p) const {
-    if (job_.precision == Precision::float32) return;
+  void explain_by_format() {
+    Work one_picture(std::numeric_limits<double>::infinity());
+    const PixelTracer tracer(scene_, job_, job_.options, one_picture);
+    for (AttributedPixel& p : budget_.pixels) {
+      if (is_finite(p)) explain_by_format(p, tracer);
+    }
+  }
+
+  /// Clamping and rounding to integers, to the last bit but for the rounding of the float itself. A clamped
+  /// reference does not tell the test's value; that must be what is traced.
+  void explain_by_format(AttributedPixel& p, const PixelTracer& tracer) const {
     const double levels = job_.precision == Precision::bits8 ? 255 : 65535;
     bool clamps = false;
     for (int c = 0; c < 3; ++c) {
@@ -122,6 +129,7 @@ class Attribution {
       const double allowed = 0.5 / levels + job_.tolerance;
       if (std::abs(held - static_cast<double>(reference(p)[c])) > allowed) return;
     }
+    if (clamps && !is_traced(p, tracer)) return;
     p.cause = clamps ? Cause::clamped : Cause::quantisation;
   }
 
@@ -135,6 +143,11 @@ class Attribution {
       try_outcome(no_pattern, s.unmoved, s);
     }
     return all;
+  }
+
+  bool is_traced(const AttributedPixel& p, const PixelTracer& tracer) const {
+    const std::optional<Colour> traced = tracer.at(p);
+    return traced && is_within(test(p), traced->data(), job_.tolerance);
   }
 
   void explain_by_moves(const Pixels& pixels) {

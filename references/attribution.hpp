@@ -73,9 +73,10 @@ struct AttributionJob {
 /// another one the test's, each within the tolerance, and when the ray trees of the two have another hit,
 /// light or ray: the first difference names the cause. Depth is proven when the test's value is traced, one
 /// ray more or less gives the reference's, which is another one, and the ray trees part at the limit; against
-/// a baseline it is no excuse. Pixels with more rays than are traced (see TreeTracer) and non-finite ones are
-/// never explained. Of more than 2,000 pixels 256 are tried first: when one of them has no cause, the verdict
-/// is settled, and the others are unexamined; so are those that are left when the work (see Work) is done.
+/// a baseline it is no excuse. Rounding is proven by making it, clamping by tracing the test's value, too.
+/// Pixels with more rays than are traced (see TreeTracer) and non-finite ones are never explained. Of more
+/// than 2,000 pixels 256 are tried first: when one of them has no cause, the verdict is settled, and the
+/// others are unexamined; so are those that are left when the work (see Work) is done.
 Budget attribute(const AttributionJob& job);
 
 /// The bound that a cause breaks, in words; empty when all hold. An edge meets pixel centres by chance at

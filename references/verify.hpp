@@ -49,8 +49,9 @@ struct VerifyOptions {
 /// One term of the shading alone, on both sides.
 struct TermResult {
   Term term;
-  Comparison comparison;
-  std::size_t unexplained = 0;  ///< pixels
+  bool in_scene = true;                  ///< both sides are black where the scene has none of it
+  std::optional<Comparison> comparison;  ///< of a term in the scene; nothing when it could not be made
+  std::size_t unexplained = 0;           ///< pixels
 };
 
 struct SceneResult {
@@ -62,7 +63,7 @@ struct SceneResult {
   Comparison comparison;
   Metrics metrics;  ///< the cheap ones
   Budget budget;
-  std::vector<TermResult> terms;  ///< those that the scene has, when they were asked for
+  std::vector<TermResult> terms;  ///< all, when they were asked for
   double seconds_ours = 0;        ///< of CPU time
   double seconds_reference = 0;   ///< of CPU time, when it was rendered
   bool cached = false;

@@ -200,6 +200,29 @@ define shape sphere ball 1 0 -4 0.5 other
 
 /// Mirrors that transmit double the rays with each level: the pictures are none of the scene's, for it is
 /// never rendered.
+/// The reference holds 1 whatever is brighter: it cannot tell that the test is wrong, but tracing can.
+TEST(Attribution, ABrighterValueThanIsTracedIsNotClamped) {
+  const Scene scene = scene_of(head + R"(
+define light key 0 0 2 1 1 1 4
+define shape box back -9 -9 -5 9 9 -4 wall
+)");
+  const Image right = picture(scene);
+  Image reference = right;
+  for (float& v : reference.rgb) v = std::round(std::clamp(v, 0.0F, 1.0F) * 255) / 255;
+  const auto clamped = [&](const Image& test) {
+    return budget_of(scene, reference, test, references::Precision::bits8).count(Cause::clamped);
+  };
+  const std::size_t all = clamped(right);
+  ASSERT_GT(all, 3U);
+  Image wrong = right;
+  for (int y = 0; y < side; ++y) {
+    for (int c = 0; c < 3; ++c) wrong.pixel(3, y)[c] += wrong.pixel(3, y)[c] > 1 ? 0.01F : 0.0F;
+  }
+  EXPECT_LT(clamped(wrong), all);
+  EXPECT_EQ(budget_of(scene, reference, wrong, references::Precision::bits8).count(Cause::unexplained),
+            all - clamped(wrong));
+}
+
 TEST(Attribution, APixelOfTooManyRaysIsUnexplained) {
   const Scene scene = scene_of(head + R"(
 define material both 0.1 0.1 0.1 0 0 0 0 0 0 1 mirror 0.5 0.5 0.5 transmit 0.5 0.5 0.5 eta 1.1
