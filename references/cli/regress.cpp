@@ -102,6 +102,14 @@ std::string to_junit(const Options& options, const std::vector<RegressedScene>& 
   return references::junit_xml(options.directory, cases);
 }
 
+/// An error that ends all stands in the file, too: there is no result of an earlier run in its place.
+void write_trouble(const Options& options, const std::string& message) {
+  if (options.junit.empty()) return;
+  write_file(options.junit, references::junit_xml(options.directory,
+                                                  {{"plumb regress", references::JunitCase::Outcome::error,
+                                                    message.substr(0, message.find('\n')), message, 0}}));
+}
+
 /// Renders and compares all; prints a row of the table for each scene when it is done.
 std::vector<RegressedScene> run(const Options& options, bool table) {
   const auto names = references::scene_names(options.directory);
@@ -132,7 +140,13 @@ int check(const Options& options) {
   if (options.json == "-" && options.junit == "-")
     throw std::invalid_argument("--json and --junit: found - for both, expected a FILE for one of them");
   const bool table = options.json != "-" && options.junit != "-";
-  const auto scenes = run(options, table);
+  std::vector<RegressedScene> scenes;
+  try {
+    scenes = run(options, table);
+  } catch (const std::runtime_error& error) {
+    write_trouble(options, error.what());
+    throw;
+  }
   if (!options.json.empty()) write_json(options.json, to_json(options, scenes));
   if (!options.junit.empty()) write_file(options.junit, to_junit(options, scenes));
   const auto differ = count(scenes, Status::differ);

@@ -400,6 +400,23 @@ TEST_F(Regress, JsonAndJunitCannotBothBeStandardOutput) {
   expect_trouble(regress({"--json", "-", "--junit", "-"}), {"--json", "--junit"});
 }
 
+TEST_F(Regress, JunitTellsThatTheRecordsAreDamaged) {
+  approve("ball");
+  ASSERT_EQ(regress({"--junit", "junit.xml"}).exit_code, 0);
+  workplace_.file("scenes/baselines/baselines.json", "[{");
+  const Outcome outcome = regress({"--junit", "junit.xml"});
+  expect_trouble(outcome, {"baselines.json: is damaged"});
+  workplace_.file(
+      "read.py",
+      "import xml.etree.ElementTree as tree\n"
+      "root = tree.parse('junit.xml').getroot()\n"
+      "print(root.get('errors'), root.get('tests'), root.find('.//testcase/error').get('message'))\n");
+  const auto result = run_shell("python3 read.py", workplace_.directory());
+  ASSERT_EQ(result.exit_code, 0) << result.output;
+  EXPECT_TRUE(result.output.starts_with("1 1 ")) << "that of the run before is gone: " << result.output;
+  EXPECT_TRUE(contains(result.output, "baselines.json: is damaged")) << result.output;
+}
+
 TEST_F(Regress, JunitTellsEachOutcomeOfHostileNames) {
   const std::string hostile = "a & <b> \"c\" 'd'";
   workplace_.file("scenes/" + hostile + ".sdf", std::string(ball_scene));
