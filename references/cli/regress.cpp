@@ -61,9 +61,10 @@ std::string with_command(const Options& options, const RegressedScene& scene) {
 }
 
 void print_row(const Options& options, const RegressedScene& scene, std::size_t width) {
-  references::SceneResult row = scene.result;
-  row.message = with_command(options, scene);
-  std::printf("%s\n", table_row(row, width).c_str());
+  std::printf("%s\n", table_row(scene.result, width).c_str());
+  // Not indented: a name may have a line feed, and the command is to be copied as it is.
+  const std::string command = approve_command(options, scene);
+  if (!command.empty()) std::printf("      approve with: %s\n", command.c_str());
   flush_output();
 }
 
