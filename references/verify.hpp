@@ -28,18 +28,22 @@ struct Size {
   int height;
 };
 
-struct VerifyOptions {
-  std::optional<Size> size;  ///< instead of the scene's own
-  std::string camera;        ///< instead of the scene's own, when not empty
+/// How scenes are read, rendered on our side and compared, whatever they are compared with.
+struct PictureOptions {
+  std::optional<Size> size;  ///< instead of the scenes' own
+  std::string camera;        ///< instead of the scenes' own, when not empty
   double tolerance = 1e-6;
   Dialect dialect;
   RenderOptions render;
   textbook::RealType real = textbook::RealType::float64;
+  bool keeps_pictures = false;  ///< in the results while they are reported, for a report
+};
+
+struct VerifyOptions : PictureOptions {
   bool stored = false;                                ///< compare with stored images, start no POV-Ray
   int jobs = 0;                                       ///< scenes at once; 0: as many as keep the machine busy
   double time_limit_seconds = 600;                    ///< for one run of POV-Ray
   bool terms = false;                                 ///< also compare each term of the shading alone
-  bool keeps_pictures = false;                        ///< in the results, for a report
   std::function<void(const std::string&)> on_notice;  ///< called first, when there is one; may be empty
   /// What renders our side; another one than the textbook tracer is judged in its place.
   std::function<Image(const Scene&, const Camera&, const textbook::RenderJob&)> render_ours =

@@ -35,14 +35,9 @@ struct Options {
 
 references::RegressOptions regress_options(const Options& options) {
   references::RegressOptions regress;
-  regress.size = size_of(options.common);
-  regress.camera = options.common.camera;
-  regress.tolerance = options.tolerance;
-  regress.dialect = dialect_of(options.common);
-  regress.render = render_options_of(options.common);
-  regress.real = real_of(options.common);
+  static_cast<references::PictureOptions&>(regress) =
+      picture_options(options.common, options.tolerance, !options.report.empty());
   regress.threads = options.threads;
-  regress.keeps_pictures = !options.report.empty();
   return regress;
 }
 
