@@ -8,6 +8,7 @@
 #include "references/cli/options.hpp"
 #include "references/cli/report.hpp"
 #include "references/reference_source.hpp"
+#include "tracer/image/files.hpp"
 #include "tracer/scene/reader.hpp"
 
 namespace plumb::cli {
@@ -105,7 +106,11 @@ int run_explain(const Options& options) {
   if (prints) print_tree(options, scene, view, tree);
   const ReferencePixel reference = reference_pixel(options, scene, view, references::is_cut(tree));
   if (prints) print_reference(tree, reference);
-  if (!options.json.empty()) write_json(options.json, to_json(options, scene, view, tree, reference));
+  if (options.json.empty()) return exit_agrees;
+  const Json json = to_json(options, scene, view, tree, reference);
+  // Indented, 3,000 rays of depth 256 are hundreds of megabytes of blanks.
+  const int indent = references::is_cut(tree) ? -1 : 2;
+  write_file(options.json, json.dump(indent, ' ', false, Json::error_handler_t::replace) + "\n");
   return exit_agrees;
 }
 
