@@ -2,14 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
+#include <limits>
+#include <map>
+#include <memory>
 #include <optional>
 #include <set>
 
 #include "references/divergence.hpp"
 #include "references/perturbation.hpp"
-#include "references/ray_tree.hpp"
+#include "references/pixel_tracer.hpp"
 #include "tracer/scene/hierarchy.hpp"
-#include "tracer/textbook/tracer.hpp"
 
 namespace plumb::references {
 namespace {
@@ -20,38 +23,10 @@ constexpr int most_patterns = 4096;     // for pixels that vary: many ties in on
 constexpr int patterns_of_one = 6;      // of a single shape, to find out whether it takes part
 constexpr std::size_t pixels_named = 64;  // the shapes are looked for in so many pixels
 
-using Colour = std::array<float, 3>;
-
-Colour rounded(const Rgbd& c) {
-  return {static_cast<float>(c.x), static_cast<float>(c.y), static_cast<float>(c.z)};
-}
-
-/// A scene and what traces single pixels of it, with or without a record of the rays.
-class PixelTracer {
- public:
-  PixelTracer(Scene scene, const AttributionJob& job, const RenderOptions& options,
-              const textbook::FormulaTable<double>& formulas = {})
-      : scene_(std::move(scene)),
-        world_(scene_, formulas),
-        tracer_(world_, job.camera, job.reference.width, job.reference.height, options),
-        recording_(world_, job.camera, job.reference.width, job.reference.height, options, recorder_) {}
-  PixelTracer(const PixelTracer&) = delete;
-  PixelTracer& operator=(const PixelTracer&) = delete;
-
-  Colour at(const AttributedPixel& p) const { return rounded(tracer_.raycast(p.x, p.y)); }
-  RayNode tree_of(const AttributedPixel& p) const {
-    recording_.raycast(p.x, p.y);
-    return recorder_.take();
-  }
-
- private:
-  using Formulas = textbook::ReplaceableFormulas<double>;
-  Scene scene_;
-  textbook::World<double> world_;
-  textbook::Tracer<double> tracer_;
-  Recorder recorder_;
-  textbook::Tracer<double, Formulas, Recorder> recording_;
-};
+// A picture that differs as a whole is no matter of chance: one pixel of the sample that has no cause settles
+// the verdict.
+constexpr std::size_t most_without_sample = 2000;
+constexpr std::size_t pixels_of_sample = 256;
 
 /// A pixel over the tolerance while it is tried.
 struct Suspect {
@@ -74,23 +49,57 @@ constexpr int no_pattern = -1;  // nothing is moved
 class Attribution {
  public:
   explicit Attribution(const AttributionJob& job)
-      : job_(job), scene_(with_instances_apart(job.scene)), perturbation_(scene_, job.camera, job.judge) {}
+      : job_(job),
+        scene_(with_instances_apart(job.scene)),
+        perturbation_(scene_, job.camera, job.judge),
+        work_(job.work),
+        still_(scene_, job, job.options, work_) {}
 
   Budget run() {
     for (const PixelPlace p : pixels_over(job_.reference, job_.test, job_.tolerance)) {
       budget_.pixels.push_back({p.x, p.y, Cause::unexplained});
     }
-    for (AttributedPixel& pixel : budget_.pixels) {
-      if (is_finite(pixel)) explain_by_format(pixel);
-    }
-    explain_by_moves();
-    if (job_.judge == Judge::povray) {
-      for (const int more : {-1, 1}) explain_by_depth(job_.options.depth + more);
+    if (job_.precision != Precision::float32) explain_by_format();
+    const Pixels all = still_unexplained();
+    if (all.size() > most_without_sample && !is_explained(sample_of(all))) {
+      budget_.unexamined = all.size() - sample_of(all).size();
+    } else {
+      explain(still_unexplained());
+      if (work_.is_over()) budget_.unexamined = still_unexplained().size();
     }
     return std::move(budget_);
   }
 
  private:
+  using Pixels = std::vector<AttributedPixel*>;
+
+  Pixels still_unexplained() {
+    Pixels pixels;
+    for (AttributedPixel& p : budget_.pixels) {
+      if (p.cause == Cause::unexplained && is_finite(p)) pixels.push_back(&p);
+    }
+    return pixels;
+  }
+
+  static Pixels sample_of(const Pixels& all) {
+    Pixels sample;
+    for (std::size_t i = 0; i < pixels_of_sample; ++i)
+      sample.push_back(all[i * all.size() / pixels_of_sample]);
+    return sample;
+  }
+
+  bool is_explained(const Pixels& pixels) {
+    explain(pixels);
+    return std::all_of(pixels.begin(), pixels.end(),
+                       [](const AttributedPixel* p) { return p->cause != Cause::unexplained; });
+  }
+
+  void explain(const Pixels& pixels) {
+    explain_by_moves(pixels);
+    if (job_.judge == Judge::baseline) return;
+    for (const int more : {-1, 1}) explain_by_depth(job_.options.depth + more, pixels);
+  }
+
   const float* reference(const AttributedPixel& p) const { return job_.reference.pixel(p.x, p.y); }
   const float* test(const AttributedPixel& p) const { return job_.test.pixel(p.x, p.y); }
 
@@ -99,9 +108,17 @@ class Attribution {
            std::all_of(test(p), test(p) + 3, [](float v) { return std::isfinite(v); });
   }
 
-  /// Clamping and rounding to integers, to the last bit but for the rounding of the float itself.
-  void explain_by_format(AttributedPixel& p) const {
-    if (job_.precision == Precision::float32) return;
+  void explain_by_format() {
+    Work one_picture(std::numeric_limits<double>::infinity());
+    const PixelTracer tracer(scene_, job_, job_.options, one_picture);
+    for (AttributedPixel& p : budget_.pixels) {
+      if (is_finite(p)) explain_by_format(p, tracer);
+    }
+  }
+
+  /// Clamping and rounding to integers, to the last bit but for the rounding of the float itself. A clamped
+  /// reference does not tell the test's value; that must be what is traced.
+  void explain_by_format(AttributedPixel& p, const PixelTracer& tracer) const {
     const double levels = job_.precision == Precision::bits8 ? 255 : 65535;
     bool clamps = false;
     for (int c = 0; c < 3; ++c) {
@@ -112,41 +129,38 @@ class Attribution {
       const double allowed = 0.5 / levels + job_.tolerance;
       if (std::abs(held - static_cast<double>(reference(p)[c])) > allowed) return;
     }
+    if (clamps && !is_traced(p, tracer)) return;
     p.cause = clamps ? Cause::clamped : Cause::quantisation;
   }
 
-  std::vector<Suspect> suspects(const PixelTracer& still) {
+  std::vector<Suspect> suspects(const Pixels& pixels) {
     std::vector<Suspect> all;
-    for (AttributedPixel& p : budget_.pixels) {
-      if (p.cause != Cause::unexplained || !is_finite(p)) continue;
-      Suspect& s = all.emplace_back(Suspect{&p, still.at(p)});
+    for (AttributedPixel* const p : pixels) {
+      if (work_.is_over()) break;
+      const std::optional<Colour> unmoved = still_.at(*p);
+      if (!unmoved) continue;
+      Suspect& s = all.emplace_back(Suspect{p, *unmoved});
       try_outcome(no_pattern, s.unmoved, s);
     }
     return all;
   }
 
-  /// How many patterns are worth trying: a picture that differs as a whole is no matter of chance.
-  int affordable_patterns(std::size_t suspects) const {
-    constexpr double most_traces = 4e6;
-    const double each = static_cast<double>(suspects) + static_cast<double>(scene_.shapes.size());
-    return static_cast<int>(std::min<double>(most_patterns, most_traces / each));
+  bool is_traced(const AttributedPixel& p, const PixelTracer& tracer) const {
+    const std::optional<Colour> traced = tracer.at(p);
+    return traced && is_within(test(p), traced->data(), job_.tolerance);
   }
 
-  void explain_by_moves() {
-    if (affordable_patterns(budget_.pixels.size()) < patterns) return;
-    const PixelTracer still(scene_, job_, job_.options);
-    std::vector<Suspect> all = suspects(still);
-    const int affordable = affordable_patterns(all.size());
-    for (int pattern = 0; pattern < affordable; ++pattern) {
+  void explain_by_moves(const Pixels& pixels) {
+    std::vector<Suspect> all = suspects(pixels);
+    for (int pattern = 0; pattern < most_patterns && !work_.is_over(); ++pattern) {
       if (pattern == patterns) std::erase_if(all, [](const Suspect& s) { return !s.varies; });
       if (std::all_of(all.begin(), all.end(), [](const Suspect& s) { return s.is_proven(); })) break;
-      const PixelTracer moved(perturbation_.moved(pattern), job_, job_.options,
-                              Perturbation::formulas(pattern));
+      const std::shared_ptr<const PixelTracer> moved = moved_by(pattern);
       for (Suspect& s : all) {
-        if (!s.is_proven()) try_pattern(pattern, moved, s);
+        if (!s.is_proven() && !work_.is_over()) try_pattern(pattern, *moved, s);
       }
     }
-    const std::set<ShapeId> found = shapes_that_take_part(still, all);
+    const std::set<ShapeId> found = shapes_that_take_part(all);
     for (const Suspect& s : all) {
       // Whatever it is when no shape takes part, it is no matter of where surfaces are.
       if (s.is_proven() && (!found.empty() || s.cause == Cause::reference_tolerance))
@@ -155,12 +169,27 @@ class Attribution {
     for (const ShapeId id : found) add_name(scene_.shapes[id].name);
   }
 
+  /// The worlds of the last patterns are kept, for the trees of outcomes that were found before.
+  std::shared_ptr<const PixelTracer> moved_by(int pattern) const {
+    constexpr std::size_t most_shapes = 100'000;  // some 50 MB
+    for (const auto& [of, tracer] : moved_) {
+      if (of == pattern) return tracer;
+    }
+    const std::size_t most = std::clamp<std::size_t>(most_shapes / (1 + scene_.shapes.size()), 2, patterns);
+    if (moved_.size() >= most) moved_.pop_front();
+    moved_.emplace_back(
+        pattern, std::make_shared<const PixelTracer>(perturbation_.moved(pattern), job_, job_.options, work_,
+                                                     Perturbation::formulas(pattern)));
+    return moved_.back().second;
+  }
+
   void try_pattern(int pattern, const PixelTracer& moved, Suspect& s) const {
     perturbation_.begin_pixel(pattern, number_of(s));
-    const Colour outcome = moved.at(*s.pixel);
+    const std::optional<Colour> outcome = moved.at(*s.pixel);
+    if (!outcome) return;
     s.varies =
-        s.varies || !is_within(s.unmoved.data(), outcome.data(), std::max(job_.tolerance, jump_of(pattern)));
-    try_outcome(pattern, outcome, s);
+        s.varies || !is_within(s.unmoved.data(), outcome->data(), std::max(job_.tolerance, jump_of(pattern)));
+    try_outcome(pattern, *outcome, s);
   }
 
   /// Whether the outcome is what one of the pictures shows; when both are found, their rays tell the cause.
@@ -190,25 +219,28 @@ class Attribution {
   }
 
   RayNode tree(int pattern, const Suspect& s) const {
-    if (pattern == no_pattern) return PixelTracer(scene_, job_, job_.options).tree_of(*s.pixel);
+    if (pattern == no_pattern) return still_.tree_of(*s.pixel);
+    const std::shared_ptr<const PixelTracer> moved = moved_by(pattern);
     perturbation_.begin_pixel(pattern, number_of(s));
-    return PixelTracer(perturbation_.moved(pattern), job_, job_.options, Perturbation::formulas(pattern))
-        .tree_of(*s.pixel);
+    return moved->tree_of(*s.pixel);
   }
 
   std::size_t number_of(const Suspect& s) const {
     return static_cast<std::size_t>(s.pixel - budget_.pixels.data());
   }
 
-  /// Those whose move alone changes one of the proven pixels.
-  std::set<ShapeId> shapes_that_take_part(const PixelTracer& still, const std::vector<Suspect>& all) const {
-    const std::vector<const Suspect*> proven = sample_of_proven(all);
+  using Meetings = std::map<ShapeId, std::vector<const Suspect*>>;
+
+  /// Those whose move alone changes one of the proven pixels; with many shapes, of the first that are tried.
+  std::set<ShapeId> shapes_that_take_part(const std::vector<Suspect>& all) const {
+    Work work(job_.work / 5);
     std::set<ShapeId> found;
-    for (const ShapeId id : met_by(still, proven)) {
-      for (int i = 0; i < patterns_of_one && !found.contains(id); ++i) {
-        const PixelTracer moved(perturbation_.with_one_moved(id, i), job_, job_.options);
-        const bool changes = std::any_of(proven.begin(), proven.end(), [&](const Suspect* s) {
-          return !is_within(still.at(*s->pixel).data(), moved.at(*s->pixel).data(), job_.tolerance);
+    for (const auto& [id, pixels] : met_by(sample_of_proven(all))) {
+      for (int i = 0; i < patterns_of_one && !found.contains(id) && !work.is_over(); ++i) {
+        const PixelTracer moved(perturbation_.with_one_moved(id, i), job_, job_.options, work);
+        const bool changes = std::any_of(pixels.begin(), pixels.end(), [&](const Suspect* s) {
+          const std::optional<Colour> outcome = moved.at(*s->pixel);
+          return outcome && !is_within(s->unmoved.data(), outcome->data(), job_.tolerance);
         });
         if (changes) found.insert(id);
       }
@@ -217,16 +249,18 @@ class Attribution {
   }
 
   /// The shapes that the rays of these pixels meet, moved or not, and what hides lights from them.
-  std::set<ShapeId> met_by(const PixelTracer& still, const std::vector<const Suspect*>& proven) const {
+  Meetings met_by(const std::vector<const Suspect*>& proven) const {
     std::vector<ShapeId> of_instance;
     for_each_instance(scene_, [&](const Instance& instance) { of_instance.push_back(instance.shape); });
-    std::set<ShapeId> met;
+    Meetings meetings;
     for (const Suspect* s : proven) {
-      add_met(still.tree_of(*s->pixel), of_instance, met);
+      std::set<ShapeId> met;
+      add_met(still_.tree_of(*s->pixel), of_instance, met);
       add_met(tree(*s->as_test, *s), of_instance, met);
       add_met(tree(*s->as_reference, *s), of_instance, met);
+      for (const ShapeId id : met) meetings[id].push_back(s);
     }
-    return met;
+    return meetings;
   }
 
   static void add_met(const RayNode& node, const std::vector<ShapeId>& of_instance, std::set<ShapeId>& met) {
@@ -255,21 +289,21 @@ class Attribution {
       budget_.shapes.push_back(name);
   }
 
-  void explain_by_depth(int depth) {
-    if (depth < 1 || affordable_patterns(budget_.pixels.size()) < patterns) return;
+  void explain_by_depth(int depth, const Pixels& pixels) {
+    if (depth < 1 || work_.is_over()) return;
     RenderOptions options = job_.options;
     options.depth = depth;
-    const PixelTracer tracer(scene_, job_, options);
-    const PixelTracer still(scene_, job_, job_.options);
-    for (AttributedPixel& p : budget_.pixels) {
-      if (p.cause != Cause::unexplained || !is_finite(p)) continue;
-      const Colour ours = still.at(p);
-      const Colour other = tracer.at(p);
-      const bool both = is_within(test(p), ours.data(), job_.tolerance) &&
-                        is_within(reference(p), other.data(), job_.tolerance) &&
-                        !is_within(ours.data(), other.data(), job_.tolerance);
+    const PixelTracer tracer(scene_, job_, options, work_);
+    for (AttributedPixel* const pixel : pixels) {
+      AttributedPixel& p = *pixel;
+      if (p.cause != Cause::unexplained || work_.is_over()) continue;
+      const std::optional<Colour> ours = still_.at(p);
+      const std::optional<Colour> other = tracer.at(p);
+      const bool both = ours && other && is_within(test(p), ours->data(), job_.tolerance) &&
+                        is_within(reference(p), other->data(), job_.tolerance) &&
+                        !is_within(ours->data(), other->data(), job_.tolerance);
       if (both &&
-          first_divergence(still.tree_of(p), tracer.tree_of(p), perturbation_.extent()) == Cause::depth)
+          first_divergence(still_.tree_of(p), tracer.tree_of(p), perturbation_.extent()) == Cause::depth)
         p.cause = Cause::depth;
     }
   }
@@ -277,6 +311,9 @@ class Attribution {
   const AttributionJob& job_;
   Scene scene_;
   Perturbation perturbation_;
+  mutable Work work_;
+  PixelTracer still_;  // nothing is moved
+  mutable std::deque<std::pair<int, std::shared_ptr<const PixelTracer>>> moved_;
   Budget budget_;
 };
 
@@ -292,6 +329,12 @@ const char* to_string(Cause cause) {
 std::size_t Budget::count(Cause cause) const {
   return static_cast<std::size_t>(std::count_if(pixels.begin(), pixels.end(),
                                                 [&](const AttributedPixel& p) { return p.cause == cause; }));
+}
+
+std::string Budget::note() const {
+  if (unexamined == 0) return {};
+  return std::to_string(unexamined) + " of the unexplained pixels were not examined " +
+         "to the end: there are too many, or each takes too many rays";
 }
 
 Budget attribute(const AttributionJob& job) { return Attribution(job).run(); }

@@ -39,8 +39,11 @@ struct AttributedPixel {
 struct Budget {
   std::vector<AttributedPixel> pixels;  ///< all that are over, row by row
   std::vector<std::string> shapes;      ///< whose move alone changes an edge or a coincidence among them
+  std::size_t unexamined = 0;           ///< of the unexplained, those that were not tried to the end
 
   std::size_t count(Cause cause) const;
+  /// What a reader of the counts must know when pixels were not examined; else empty.
+  std::string note() const;
   std::size_t explained() const { return pixels.size() - count(Cause::unexplained); }
 };
 
@@ -61,6 +64,7 @@ struct AttributionJob {
   double tolerance;  ///< as in compare()
   Precision precision = Precision::float32;
   Judge judge = Judge::povray;
+  double work = 2.5e8;  ///< units of Work that are spent at most, about 5 s; a fifth more to name the shapes
 };
 
 /// An edge, a coincidence or the reference's tolerance is proven when moving surfaces by a distance that the
@@ -69,8 +73,10 @@ struct AttributionJob {
 /// another one the test's, each within the tolerance, and when the ray trees of the two have another hit,
 /// light or ray: the first difference names the cause. Depth is proven when the test's value is traced, one
 /// ray more or less gives the reference's, which is another one, and the ray trees part at the limit; against
-/// a baseline it is no excuse. Non-finite pixels are never explained, nor is any of a picture that differs as
-/// a whole (more than about 80,000 pixels).
+/// a baseline it is no excuse. Rounding is proven by making it, clamping by tracing the test's value, too.
+/// Pixels with more rays than are traced (see TreeTracer) and non-finite ones are never explained. Of more
+/// than 2,000 pixels 256 are tried first: when one of them has no cause, the verdict is settled, and the
+/// others are unexamined; so are those that are left when the work (see Work) is done.
 Budget attribute(const AttributionJob& job);
 
 /// The bound that a cause breaks, in words; empty when all hold. An edge meets pixel centres by chance at

@@ -78,6 +78,13 @@ std::vector<ShapeId> shapes_of_instances(const Scene& scene) {
   return shapes;
 }
 
+/// What hides the light; null when nothing was found that does.
+const Shape* blocking_shape(const Scene& scene, const std::vector<ShapeId>& shapes,
+                            const LightSeen<double>& seen) {
+  if (seen.blocker.surface.instance == textbook::no_instance) return nullptr;
+  return &scene.shapes[shapes.at(static_cast<std::size_t>(seen.blocker.surface.instance))];
+}
+
 std::string number(double x) {
   char text[32];
   std::snprintf(text, sizeof text, "%.9g", x);
@@ -118,7 +125,7 @@ class Writer {
     for (const RayNode& child : node.children)
       ray(child, indent + 1, weight_of(child.kind, terms.material()));
     if (node.is_cut)
-      line(indent + 1, "... and rays that are left out: there are too many, choose a smaller --depth");
+      line(indent + 1, "... and rays that were not traced: there are too many, choose a smaller --depth");
     const bool is_total = !node.children.empty() && node.children.front().kind == RayKind::totally_reflected;
     if (is_total)
       line(indent + 1, "colour = local + R = " + triple(node.colour), "Brechung: total reflection");
@@ -161,9 +168,9 @@ class Writer {
   }
 
   std::string blocker(const LightSeen<double>& seen) const {
-    if (seen.blocker.surface.instance == textbook::no_instance) return "";
-    const ShapeId shape = shapes_.at(static_cast<std::size_t>(seen.blocker.surface.instance));
-    return " by " + in_quotes(scene_.shapes[shape].name) + " at t = " + number(seen.blocker.t) + " of " +
+    const Shape* const shape = blocking_shape(scene_, shapes_, seen);
+    if (shape == nullptr) return "";
+    return " by " + in_quotes(shape->name) + " at t = " + number(seen.blocker.t) + " of " +
            number(seen.distance);
   }
 
@@ -174,54 +181,95 @@ class Writer {
 
 Json json_of(const Vec3d& v) { return {v.x, v.y, v.z}; }
 
-Json light_json(const Terms& terms, std::size_t i, const LightSeen<double>& seen) {
-  Json json{{"light", terms.light(i).name},
-            {"n.l", seen.cos_theta},
-            {"distance", seen.distance},
-            {"counts", seen.counts}};
-  if (!seen.counts) return json;
-  json["delta"] = json_of(seen.delta);
-  if (Terms::is_hidden(seen)) {
-    json["blocker"] = {{"t", seen.blocker.t}};
+class JsonWriter {
+ public:
+  explicit JsonWriter(const Scene& scene) : scene_(scene), shapes_(shapes_of_instances(scene)) {}
+
+  Json ray(const RayNode& node) const {
+    const KindWords words = words_of(node.kind);
+    Json json{{"ray", words.name},
+              {"slide", words.slide},
+              {"depth", node.depth},
+              {"origin", json_of(node.ray.origin)},
+              {"direction", json_of(node.ray.direction)}};
+    if (node.is_at_depth_limit) json["at_depth_limit"] = true;
+    if (node.meeting) add_meeting(node, json);
+    if (node.is_cut) json["is_cut"] = true;
+    json["colour"] = json_of(node.colour);
     return json;
   }
-  json["diffuse"] = {{"slide", "Lambert"}, {"value", json_of(terms.diffuse(i))}};
-  json["specular"] = {
-      {"slide", "Phong"}, {"value", json_of(terms.specular(i))}, {"(r.v)^m", seen.specular_factor}};
-  return json;
-}
+
+ private:
+  void add_meeting(const RayNode& node, Json& json) const {
+    const Meeting& met = *node.meeting;
+    const Terms terms(scene_, met);
+    json["met"] = {
+        {"shape", terms.shape().name}, {"slide", terms.slide()},        {"t", met.t},
+        {"point", json_of(met.point)}, {"normal", json_of(met.normal)}, {"material", terms.material().name}};
+    if (met.surface.face != no_face) json["met"]["face"] = static_cast<int>(met.surface.face);
+    json["ambient"] = {{"slide", "Ambient"},
+                       {"value", json_of(terms.ambient())},
+                       {"Ia", json_of(scene_.ambient)},
+                       {"ka", json_of(terms.material().ka)}};
+    json["lights"] = Json::array();
+    for (std::size_t i = 0; i < met.lights.size(); ++i)
+      json["lights"].push_back(light(terms, i, met.lights[i]));
+    json["local"] = json_of(terms.local());
+    json["children"] = Json::array();
+    for (const RayNode& child : node.children) {
+      json["children"].push_back(ray(child));
+      json["children"].back()["weight"] = weight(child.kind, terms.material());
+    }
+  }
+
+  Json light(const Terms& terms, std::size_t i, const LightSeen<double>& seen) const {
+    const Material& material = terms.material();
+    Json json{{"light", terms.light(i).name},
+              {"n.l", seen.cos_theta},
+              {"distance", seen.distance},
+              {"counts", seen.counts},
+              {"Ip", json_of(terms.light(i).intensity())},
+              {"kd", json_of(material.kd)},
+              {"ks", json_of(material.ks)},
+              {"m", material.m}};
+    if (!seen.counts) return json;
+    json["delta"] = json_of(seen.delta);
+    if (Terms::is_hidden(seen)) {
+      json["blocker"] = blocker(seen);
+      return json;
+    }
+    json["diffuse"] = {{"slide", "Lambert"}, {"value", json_of(terms.diffuse(i))}};
+    json["specular"] = {
+        {"slide", "Phong"}, {"value", json_of(terms.specular(i))}, {"(r.v)^m", seen.specular_factor}};
+    return json;
+  }
+
+  Json blocker(const LightSeen<double>& seen) const {
+    Json json{{"t", seen.blocker.t}};
+    if (const Shape* shape = blocking_shape(scene_, shapes_, seen)) json["shape"] = shape->name;
+    return json;
+  }
+
+  static Json weight(RayKind kind, const Material& material) {
+    if (kind == RayKind::mirrored) return {{"name", "kr"}, {"value", json_of(material.mirror)}};
+    if (kind == RayKind::totally_reflected) return {{"name", "1"}, {"value", json_of(Vec3d(1))}};
+    return {{"name", "kt"}, {"value", json_of(material.transmit)}};
+  }
+
+  const Scene& scene_;
+  std::vector<ShapeId> shapes_;
+};
 
 }  // namespace
 
+std::string cut_note(const RayNode& tree) {
+  if (!is_cut(tree)) return {};
+  return "the tree is cut: the pixel has more than " + std::to_string(most_rays_of_pixel) +
+         " rays, and the sum covers only those that were traced; choose a smaller --depth";
+}
+
 std::string explain_text(const Scene& scene, const RayNode& tree) { return Writer(scene).text(tree); }
 
-Json explain_json(const Scene& scene, const RayNode& node) {
-  const KindWords words = words_of(node.kind);
-  Json json{{"ray", words.name},
-            {"slide", words.slide},
-            {"depth", node.depth},
-            {"origin", json_of(node.ray.origin)},
-            {"direction", json_of(node.ray.direction)}};
-  if (node.is_at_depth_limit) json["at_depth_limit"] = true;
-  if (node.meeting) {
-    const Terms terms(scene, *node.meeting);
-    json["met"] = {{"shape", terms.shape().name},
-                   {"slide", terms.slide()},
-                   {"t", node.meeting->t},
-                   {"point", json_of(node.meeting->point)},
-                   {"normal", json_of(node.meeting->normal)},
-                   {"material", terms.material().name}};
-    json["ambient"] = {{"slide", "Ambient"}, {"value", json_of(terms.ambient())}};
-    json["lights"] = Json::array();
-    for (std::size_t i = 0; i < node.meeting->lights.size(); ++i)
-      json["lights"].push_back(light_json(terms, i, node.meeting->lights[i]));
-    json["local"] = json_of(terms.local());
-    json["children"] = Json::array();
-    for (const RayNode& child : node.children) json["children"].push_back(explain_json(scene, child));
-  }
-  if (node.is_cut) json["is_cut"] = true;
-  json["colour"] = json_of(node.colour);
-  return json;
-}
+Json explain_json(const Scene& scene, const RayNode& tree) { return JsonWriter(scene).ray(tree); }
 
 }  // namespace plumb::references

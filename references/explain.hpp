@@ -8,11 +8,15 @@
 
 namespace plumb::references {
 
+/// What a reader of the sum must know when rays were not traced; else empty.
+std::string cut_note(const RayNode& tree);
+
 /// Indented lines, the camera ray first. `scene` is the one that the tree was made from.
 std::string explain_text(const Scene& scene, const RayNode& tree);
 
-/// The same as nested objects: ray, depth, met {shape, t, point, normal, material}, ambient, lights, local,
-/// children, colour. Lengths and points in world space.
+/// The same as nested objects: ray, depth, met {shape, t, point, normal, material, of a box face}, ambient,
+/// lights {n.l, distance, Ip, kd, ks, m, delta, then diffuse and specular or the blocker}, local, children,
+/// each with its weight, colour. Lengths and points in world space.
 nlohmann::ordered_json explain_json(const Scene& scene, const RayNode& tree);
 
 }  // namespace plumb::references

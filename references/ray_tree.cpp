@@ -1,43 +1,35 @@
 #include "references/ray_tree.hpp"
 
+#include <algorithm>
 #include <utility>
-
-#include "tracer/textbook/tracer.hpp"
 
 namespace plumb::references {
 
-void Recorder::ray_begins(textbook::RayKind kind, const Ray<double>& ray, int depth) const {
-  if (state_->left_out > 0 || state_->rays == most_rays) {
-    ++state_->left_out;
+bool Recorder::ray_begins(textbook::RayKind kind, const Ray<double>& ray, int depth) const {
+  if (state_->rays == most_rays_of_pixel) {
     current().is_cut = true;
-    return;
+    return false;
   }
   ++state_->rays;
   RayNode& node = state_->open.emplace_back();
   node.kind = kind;
   node.ray = ray;
   node.depth = depth;
+  return true;
 }
 
-void Recorder::is_black_at_depth_limit() const {
-  if (state_->left_out == 0) current().is_at_depth_limit = true;
-}
+void Recorder::is_black_at_depth_limit() const { current().is_at_depth_limit = true; }
 
 void Recorder::meets(const textbook::Hit<double>& hit, const textbook::Surface<double>& surface,
                      const Vec3d& point, const Vec3d& normal) const {
-  if (state_->left_out > 0) return;
   current().meeting = Meeting{hit.surface, surface.shape, hit.t, point, normal, {}};
 }
 
 void Recorder::is_lit_by(std::size_t, const textbook::LightSeen<double>& seen) const {
-  if (state_->left_out == 0) current().meeting->lights.push_back(seen);
+  current().meeting->lights.push_back(seen);
 }
 
 void Recorder::ray_ends(const Rgbd& colour) const {
-  if (state_->left_out > 0) {
-    --state_->left_out;
-    return;
-  }
   RayNode node = std::move(current());
   state_->open.pop_back();
   node.colour = colour;
@@ -53,14 +45,17 @@ RayNode Recorder::take() const {
   return std::exchange(state_->finished, {});
 }
 
-RayNode ray_tree(const Scene& scene, const Camera& camera, int width, int height,
-                 const RenderOptions& options, int x, int y, const textbook::FormulaTable<double>& formulas) {
-  const textbook::World<double> world(scene, formulas);
-  const Recorder recorder;
-  const textbook::Tracer<double, textbook::ReplaceableFormulas<double>, Recorder> tracer(
-      world, camera, width, height, options, recorder);
-  tracer.raycast(x, y);
-  return recorder.take();
+bool is_cut(const RayNode& tree) {
+  return tree.is_cut || std::any_of(tree.children.begin(), tree.children.end(), &is_cut);
+}
+
+TreeTracer::TreeTracer(const Scene& scene, const Camera& camera, int width, int height,
+                       const RenderOptions& options)
+    : world_(scene, Formulas({})), tracer_(world_, camera, width, height, options, recorder_) {}
+
+RayNode TreeTracer::tree_of(int x, int y) const {
+  tracer_.raycast(x, y);
+  return recorder_.take();
 }
 
 }  // namespace plumb::references

@@ -8,7 +8,7 @@
 #include "tracer/scene/render_options.hpp"
 #include "tracer/scene/scene.hpp"
 #include "tracer/textbook/formula_table.hpp"
-#include "tracer/textbook/observer.hpp"
+#include "tracer/textbook/tracer.hpp"
 
 namespace plumb::references {
 
@@ -28,21 +28,22 @@ struct RayNode {
   Ray<double> ray;
   int depth = 0;
   bool is_at_depth_limit = false;  ///< it is black and was not traced
-  bool is_cut = false;             ///< rays that follow are left out: the tree would be too large
+  bool is_cut = false;             ///< rays that follow were not traced: the tree would be too large
   std::optional<Meeting> meeting;
-  Rgbd colour{0};  ///< what it brings back
+  Rgbd colour{0};  ///< what it brings back; of rays that were not traced, nothing
   std::vector<RayNode> children;
 };
 
-/// Records what a tracer tells; copies record to the same tree. Of a pixel with more rays than `most_rays`
-/// the first ones are kept, in the order in which they are traced.
+/// No pixel is traced with more rays, in the order in which they follow each other: mirrors that transmit
+/// double them with each level of the recursion. The tree of depth 8, the lecture's, has 511 at most.
+inline constexpr std::size_t most_rays_of_pixel = 3000;
+
+/// Records what a tracer tells, and ends it where a pixel has too many rays; copies record to the same tree.
 class Recorder {
  public:
-  static constexpr std::size_t most_rays = 3000;
-
   Recorder() : state_(std::make_shared<State>()) {}
 
-  void ray_begins(textbook::RayKind kind, const Ray<double>& ray, int depth) const;
+  bool ray_begins(textbook::RayKind kind, const Ray<double>& ray, int depth) const;
   void is_black_at_depth_limit() const;
   void meets(const textbook::Hit<double>& hit, const textbook::Surface<double>& surface, const Vec3d& point,
              const Vec3d& normal) const;
@@ -57,16 +58,31 @@ class Recorder {
     std::vector<RayNode> open;  ///< from the camera ray to the one that is being traced
     RayNode finished;
     std::size_t rays = 0;
-    std::size_t left_out = 0;  ///< open rays that are not recorded
   };
   RayNode& current() const { return state_->open.back(); }
 
   std::shared_ptr<State> state_;
 };
 
-/// The ray tree of one pixel; row 0 is the top row. `formulas` as another tracer has them.
-RayNode ray_tree(const Scene& scene, const Camera& camera, int width, int height,
-                 const RenderOptions& options, int x, int y,
-                 const textbook::FormulaTable<double>& formulas = {});
+/// Whether rays of the tree were not traced.
+bool is_cut(const RayNode& tree);
+
+/// Traces ray trees of the pixels of one picture.
+class TreeTracer {
+ public:
+  /// The scene must outlive it.
+  TreeTracer(const Scene& scene, const Camera& camera, int width, int height, const RenderOptions& options);
+  TreeTracer(const TreeTracer&) = delete;
+  TreeTracer& operator=(const TreeTracer&) = delete;
+
+  /// Row 0 is the top row.
+  RayNode tree_of(int x, int y) const;
+
+ private:
+  using Formulas = textbook::ReplaceableFormulas<double>;
+  textbook::World<double> world_;
+  Recorder recorder_;
+  textbook::Tracer<double, Formulas, Recorder> tracer_;
+};
 
 }  // namespace plumb::references

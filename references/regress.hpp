@@ -11,15 +11,8 @@
 
 namespace plumb::references {
 
-struct RegressOptions {
-  std::optional<Size> size;  ///< instead of the scenes' own
-  std::string camera;        ///< instead of the scenes' own, when not empty
-  double tolerance = 1e-6;
-  Dialect dialect;
-  RenderOptions render;
-  textbook::RealType real = textbook::RealType::float64;
-  bool keeps_pictures = false;  ///< in the results while `done` runs, for a report
-  int threads = 0;              ///< 0: as many as the machine runs at once
+struct RegressOptions : PictureOptions {
+  int threads = 0;  ///< 0: as many as the machine runs at once
   /// Called now and then, from one thread at a time, with the fraction of the scene that is done; may be
   /// empty.
   std::function<void(double)> progress;

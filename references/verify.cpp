@@ -91,9 +91,9 @@ class SceneVerifier {
 
   void by_terms() {
     for (const Term term : all_terms) {
-      if (!has(term, scene_)) continue;
+      TermResult& result = result_.terms.emplace_back(TermResult{term, has(term, scene_), {}});
       try {
-        result_.terms.push_back(compared(term));
+        if (result.in_scene) compare_term(result);
       } catch (const std::runtime_error& error) {
         add_message(result_,
                     std::string("the term ") + to_string(term) + " could not be compared: " + error.what());
@@ -109,16 +109,15 @@ class SceneVerifier {
   }
 
  private:
-  TermResult compared(Term term) const {
-    const TermScene reduced = only(term, scene_, options_.render);
+  void compare_term(TermResult& result) const {
+    const TermScene reduced = only(result.term, scene_, options_.render);
     const ReferencePicture reference = picture_of(reduced.scene, reduced.options);
     const Image ours = ours_of(reduced.scene, reduced.options);
-    TermResult result{term, compare(reference.image, ours, options_.tolerance)};
-    if (result.comparison.pixels_over > 0) {
+    result.comparison = compare(reference.image, ours, options_.tolerance);
+    if (result.comparison->pixels_over > 0) {
       result.unexplained =
           attribute(job(reduced.scene, reduced.options, reference, ours)).count(Cause::unexplained);
     }
-    return result;
   }
 
   AttributionJob job(const Scene& scene, const RenderOptions& render, const ReferencePicture& reference,
@@ -217,6 +216,7 @@ void judge(const AttributionJob& job, SceneResult& result) {
   const bool agrees = result.budget.count(Cause::unexplained) == 0 && broken.empty();
   result.status = agrees ? Status::agree : Status::differ;
   add_message(result, verdict(result, broken));
+  add_message(result, result.budget.note());
 }
 
 VerifyReport verify(const std::vector<std::string>& scenes, const VerifyOptions& options,

@@ -28,18 +28,22 @@ struct Size {
   int height;
 };
 
-struct VerifyOptions {
-  std::optional<Size> size;  ///< instead of the scene's own
-  std::string camera;        ///< instead of the scene's own, when not empty
+/// How scenes are read, rendered on our side and compared, whatever they are compared with.
+struct PictureOptions {
+  std::optional<Size> size;  ///< instead of the scenes' own
+  std::string camera;        ///< instead of the scenes' own, when not empty
   double tolerance = 1e-6;
   Dialect dialect;
   RenderOptions render;
   textbook::RealType real = textbook::RealType::float64;
+  bool keeps_pictures = false;  ///< in the results while they are reported, for a report
+};
+
+struct VerifyOptions : PictureOptions {
   bool stored = false;                                ///< compare with stored images, start no POV-Ray
   int jobs = 0;                                       ///< scenes at once; 0: as many as keep the machine busy
   double time_limit_seconds = 600;                    ///< for one run of POV-Ray
   bool terms = false;                                 ///< also compare each term of the shading alone
-  bool keeps_pictures = false;                        ///< in the results, for a report
   std::function<void(const std::string&)> on_notice;  ///< called first, when there is one; may be empty
   /// What renders our side; another one than the textbook tracer is judged in its place.
   std::function<Image(const Scene&, const Camera&, const textbook::RenderJob&)> render_ours =
@@ -49,8 +53,9 @@ struct VerifyOptions {
 /// One term of the shading alone, on both sides.
 struct TermResult {
   Term term;
-  Comparison comparison;
-  std::size_t unexplained = 0;  ///< pixels
+  bool in_scene = true;                  ///< both sides are black where the scene has none of it
+  std::optional<Comparison> comparison;  ///< of a term in the scene; nothing when it could not be made
+  std::size_t unexplained = 0;           ///< pixels
 };
 
 struct SceneResult {
@@ -62,7 +67,7 @@ struct SceneResult {
   Comparison comparison;
   Metrics metrics;  ///< the cheap ones
   Budget budget;
-  std::vector<TermResult> terms;  ///< those that the scene has, when they were asked for
+  std::vector<TermResult> terms;  ///< all, when they were asked for
   double seconds_ours = 0;        ///< of CPU time
   double seconds_reference = 0;   ///< of CPU time, when it was rendered
   bool cached = false;

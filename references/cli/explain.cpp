@@ -8,6 +8,7 @@
 #include "references/cli/options.hpp"
 #include "references/cli/report.hpp"
 #include "references/reference_source.hpp"
+#include "tracer/image/files.hpp"
 #include "tracer/scene/reader.hpp"
 
 namespace plumb::cli {
@@ -28,13 +29,17 @@ struct ReferencePixel {
   std::string from;
 };
 
-ReferencePixel reference_pixel(const Options& options, const Scene& scene, const View& view) {
+/// A picture of pixels with as many rays as are not traced here may take the reference for ever.
+constexpr double time_limit_when_cut_seconds = 10;
+
+ReferencePixel reference_pixel(const Options& options, const Scene& scene, const View& view, bool is_cut) {
   try {
     const references::ReferenceSource source(options.stored);
     const auto exported = exporters::export_povray(scene, view.camera, view.size.width, view.size.height,
                                                    render_options_of(options.common));
-    const Image image =
-        source.picture({exported.text, view.size.width, view.size.height, exported.needs_flat_objects}).image;
+    references::PovrayJob job{exported.text, view.size.width, view.size.height, exported.needs_flat_objects};
+    if (is_cut) job.time_limit_seconds = time_limit_when_cut_seconds;
+    const Image image = source.picture(job).image;
     const float* const p = image.pixel(options.x, options.y);
     return {Rgbd(p[0], p[1], p[2]), "POV-Ray " + source.version()};
   } catch (const std::runtime_error& error) {
@@ -46,44 +51,66 @@ void print_colour(const char* name, const Rgbd& c, const std::string& from) {
   std::printf("%-11s%.9g %.9g %.9g%s\n", name, c.x, c.y, c.z, from.c_str());
 }
 
+void print_tree(const Options& options, const Scene& scene, const View& view,
+                const references::RayNode& tree) {
+  const std::string note = references::cut_note(tree);
+  std::printf("pixel (%d, %d) of %s, %d x %d\n%s", options.x, options.y, options.scene.c_str(),
+              view.size.width, view.size.height, references::explain_text(scene, tree).c_str());
+  if (!note.empty()) std::printf("note       %s\n", note.c_str());
+  print_colour("ours", tree.colour, note.empty() ? "" : "   of the rays that were traced");
+  flush_output();  // POV-Ray renders the whole picture, which may take a while
+}
+
+void print_reference(const references::RayNode& tree, const ReferencePixel& reference) {
+  if (!reference.colour) {
+    std::printf("reference  none: %s\n", reference.from.c_str());
+    return;
+  }
+  print_colour("reference", *reference.colour, "   " + reference.from);
+  if (!references::is_cut(tree)) print_colour("difference", tree.colour - *reference.colour, "");
+}
+
+Json to_json(const Options& options, const Scene& scene, const View& view, const references::RayNode& tree,
+             const ReferencePixel& reference) {
+  const auto list = [](const Rgbd& c) { return Json{c.x, c.y, c.z}; };
+  return {{"tool", "plumb"},
+          {"version", PLUMB_VERSION},
+          {"scene", options.scene},
+          {"x", options.x},
+          {"y", options.y},
+          {"width", view.size.width},
+          {"height", view.size.height},
+          {"ours", list(tree.colour)},
+          {"reference", reference.colour ? list(*reference.colour) : Json()},
+          {"reference_from", reference.from},
+          {"is_cut", references::is_cut(tree)},
+          {"note", references::cut_note(tree)},
+          {"tree", references::explain_json(scene, tree)}};
+}
+
+View view_with_pixel(const Scene& scene, const Options& options) {
+  const View view = view_of(scene, options.common);
+  if (options.x < view.size.width && options.y < view.size.height) return view;
+  throw std::invalid_argument("found pixel " + std::to_string(options.x) + " " + std::to_string(options.y) +
+                              ", expected one of the picture, " + std::to_string(view.size.width) + " x " +
+                              std::to_string(view.size.height) + ", counted from 0, row 0 on top");
+}
+
 int run_explain(const Options& options) {
   const Scene scene = load_scene(options.scene, dialect_of(options.common), warn);
-  const View view = view_of(scene, options.common);
-  if (options.x >= view.size.width || options.y >= view.size.height) {
-    throw std::invalid_argument("found pixel " + std::to_string(options.x) + " " + std::to_string(options.y) +
-                                ", expected one of the picture, " + std::to_string(view.size.width) + " x " +
-                                std::to_string(view.size.height) + ", counted from 0, row 0 on top");
-  }
-  const auto tree = references::ray_tree(scene, view.camera, view.size.width, view.size.height,
-                                         render_options_of(options.common), options.x, options.y);
-  if (options.json != "-") {
-    std::printf("pixel (%d, %d) of %s, %d x %d\n%s", options.x, options.y, options.scene.c_str(),
-                view.size.width, view.size.height, references::explain_text(scene, tree).c_str());
-    print_colour("ours", tree.colour, "");
-    flush_output();  // POV-Ray renders the whole picture, which may take a while
-  }
-  const ReferencePixel reference = reference_pixel(options, scene, view);
-  if (options.json != "-" && reference.colour) {
-    print_colour("reference", *reference.colour, "   " + reference.from);
-    print_colour("difference", tree.colour - *reference.colour, "");
-  } else if (options.json != "-") {
-    std::printf("reference  none: %s\n", reference.from.c_str());
-  }
-  if (!options.json.empty()) {
-    const auto list = [](const Rgbd& c) { return Json{c.x, c.y, c.z}; };
-    Json json{{"tool", "plumb"},
-              {"version", PLUMB_VERSION},
-              {"scene", options.scene},
-              {"x", options.x},
-              {"y", options.y},
-              {"width", view.size.width},
-              {"height", view.size.height},
-              {"ours", list(tree.colour)},
-              {"reference", reference.colour ? list(*reference.colour) : Json()},
-              {"reference_from", reference.from},
-              {"tree", references::explain_json(scene, tree)}};
-    write_json(options.json, json);
-  }
+  const View view = view_with_pixel(scene, options);
+  const references::TreeTracer tracer(scene, view.camera, view.size.width, view.size.height,
+                                      render_options_of(options.common));
+  const references::RayNode tree = tracer.tree_of(options.x, options.y);
+  const bool prints = options.json != "-";
+  if (prints) print_tree(options, scene, view, tree);
+  const ReferencePixel reference = reference_pixel(options, scene, view, references::is_cut(tree));
+  if (prints) print_reference(tree, reference);
+  if (options.json.empty()) return exit_agrees;
+  const Json json = to_json(options, scene, view, tree, reference);
+  // Indented, 3,000 rays of depth 256 are hundreds of megabytes of blanks.
+  const int indent = references::is_cut(tree) ? -1 : 2;
+  write_file(options.json, json.dump(indent, ' ', false, Json::error_handler_t::replace) + "\n");
   return exit_agrees;
 }
 

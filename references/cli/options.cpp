@@ -103,6 +103,12 @@ std::optional<references::Size> size_of(const SceneOptions& options) {
   return references::Size{*width, *height};
 }
 
+references::PictureOptions picture_options(const SceneOptions& options, double tolerance,
+                                           bool keeps_pictures) {
+  return {size_of(options),           options.camera,   tolerance,     dialect_of(options),
+          render_options_of(options), real_of(options), keeps_pictures};
+}
+
 View view_of(const Scene& scene, const SceneOptions& options) {
   const RenderRequest& request = scene.renders.front();
   return {scene.camera(options.camera.empty() ? request.camera : options.camera),

@@ -33,6 +33,9 @@ RenderOptions render_options_of(const SceneOptions& options);
 textbook::RealType real_of(const SceneOptions& options);
 std::optional<references::Size> size_of(const SceneOptions& options);
 
+references::PictureOptions picture_options(const SceneOptions& options, double tolerance,
+                                           bool keeps_pictures);
+
 /// What to render of a scene: its own render line, unless the options say otherwise.
 struct View {
   const Camera& camera;

@@ -35,14 +35,9 @@ struct Options {
 
 references::RegressOptions regress_options(const Options& options) {
   references::RegressOptions regress;
-  regress.size = size_of(options.common);
-  regress.camera = options.common.camera;
-  regress.tolerance = options.tolerance;
-  regress.dialect = dialect_of(options.common);
-  regress.render = render_options_of(options.common);
-  regress.real = real_of(options.common);
+  static_cast<references::PictureOptions&>(regress) =
+      picture_options(options.common, options.tolerance, !options.report.empty());
   regress.threads = options.threads;
-  regress.keeps_pictures = !options.report.empty();
   return regress;
 }
 
@@ -61,9 +56,10 @@ std::string with_command(const Options& options, const RegressedScene& scene) {
 }
 
 void print_row(const Options& options, const RegressedScene& scene, std::size_t width) {
-  references::SceneResult row = scene.result;
-  row.message = with_command(options, scene);
-  std::printf("%s\n", table_row(row, width).c_str());
+  std::printf("%s\n", table_row(scene.result, width).c_str());
+  // Not indented: a name may have a line feed, and the command is to be copied as it is.
+  const std::string command = approve_command(options, scene);
+  if (!command.empty()) std::printf("      approve with: %s\n", command.c_str());
   flush_output();
 }
 
@@ -102,6 +98,14 @@ std::string to_junit(const Options& options, const std::vector<RegressedScene>& 
   return references::junit_xml(options.directory, cases);
 }
 
+/// An error that ends all stands in the file, too: there is no result of an earlier run in its place.
+void write_trouble(const Options& options, const std::string& message) {
+  if (options.junit.empty()) return;
+  write_file(options.junit, references::junit_xml(options.directory,
+                                                  {{"plumb regress", references::JunitCase::Outcome::error,
+                                                    message.substr(0, message.find('\n')), message, 0}}));
+}
+
 /// Renders and compares all; prints a row of the table for each scene when it is done.
 std::vector<RegressedScene> run(const Options& options, bool table) {
   const auto names = references::scene_names(options.directory);
@@ -132,7 +136,13 @@ int check(const Options& options) {
   if (options.json == "-" && options.junit == "-")
     throw std::invalid_argument("--json and --junit: found - for both, expected a FILE for one of them");
   const bool table = options.json != "-" && options.junit != "-";
-  const auto scenes = run(options, table);
+  std::vector<RegressedScene> scenes;
+  try {
+    scenes = run(options, table);
+  } catch (const std::runtime_error& error) {
+    write_trouble(options, error.what());
+    throw;
+  }
   if (!options.json.empty()) write_json(options.json, to_json(options, scenes));
   if (!options.junit.empty()) write_file(options.junit, to_junit(options, scenes));
   const auto differ = count(scenes, Status::differ);

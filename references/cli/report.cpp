@@ -31,12 +31,25 @@ std::string indented(const std::string& message) {
 std::string terms_text(const std::vector<references::TermResult>& terms) {
   std::string text;
   for (const references::TermResult& t : terms) {
-    text += formatted(" %s %.2g", references::to_string(t.term), t.comparison.judged_error);
+    if (!t.comparison) continue;
+    text += formatted(" %s %.2g", references::to_string(t.term), t.comparison->judged_error);
     if (t.unexplained > 0) text += formatted(" (%zu pixels unexplained)", t.unexplained);
     text += ",";
   }
+  if (text.empty()) return " there is none to compare";
   text.pop_back();
   return text;
+}
+
+/// What the scene has none of differs by nothing; what could not be compared has no figures.
+Json to_json(const references::TermResult& t) {
+  if (t.in_scene && !t.comparison)
+    return {{"in_scene", true}, {"max_error", nullptr}, {"pixels_over", nullptr}, {"unexplained", nullptr}};
+  const references::Comparison c = t.comparison.value_or(references::Comparison{});
+  return {{"in_scene", t.in_scene},
+          {"max_error", c.max_error},
+          {"pixels_over", c.pixels_over},
+          {"unexplained", t.unexplained}};
 }
 
 Json flip_json(const references::Flip& flip) {
@@ -58,12 +71,9 @@ Json scene_json(const SceneResult& r) {
   json.update(plumb::cli::to_json(r.comparison));
   json["metrics"] = plumb::cli::to_json(r.metrics);
   json["budget"] = plumb::cli::to_json(r.budget);
+  json["unexamined"] = r.budget.unexamined;
   json["shapes"] = r.budget.shapes;
-  for (const references::TermResult& t : r.terms) {
-    json["terms"][references::to_string(t.term)] = {{"max_error", t.comparison.max_error},
-                                                    {"pixels_over", t.comparison.pixels_over},
-                                                    {"unexplained", t.unexplained}};
-  }
+  for (const references::TermResult& t : r.terms) json["terms"][references::to_string(t.term)] = to_json(t);
   json["seconds"] = {{"ours", r.seconds_ours}, {"reference", r.seconds_reference}};
   json["cached"] = r.cached;
   return json;

@@ -25,15 +25,10 @@ struct Options {
 
 references::VerifyOptions verify_options(const Options& options) {
   references::VerifyOptions verify;
-  verify.size = size_of(options.common);
-  verify.camera = options.common.camera;
-  verify.tolerance = options.tolerance;
-  verify.dialect = dialect_of(options.common);
-  verify.render = render_options_of(options.common);
-  verify.real = real_of(options.common);
+  static_cast<references::PictureOptions&>(verify) =
+      picture_options(options.common, options.tolerance, !options.report.empty());
   verify.stored = options.stored;
   verify.terms = options.terms;
-  verify.keeps_pictures = !options.report.empty();
   verify.jobs = options.jobs;
   verify.on_notice = warn;
   return verify;

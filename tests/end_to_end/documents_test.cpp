@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <sstream>
 
-#include "tests/support/run.hpp"
+#include "tests/support/end_to_end.hpp"
 
 namespace plumb::tests {
 namespace {
@@ -51,6 +51,35 @@ TEST(Readme, NamesTheTwoCommandsAndTheyAreThere) {
     EXPECT_NE(permissions & std::filesystem::perms::owner_exec, std::filesystem::perms::none) << script;
   }
   EXPECT_NE(read_file(source_path(".ci/run")).find("scripts/test"), std::string::npos);
+}
+
+/// Skipped tests would look like a success.
+TEST(ScriptsTest, RefusesToRunWithoutTheToolsOfItsTests) {
+  const Workplace workplace;
+  for (const char* const folder : {"scripts", "bin"})
+    std::filesystem::create_directory(workplace.path(folder));
+  workplace.file("scripts/test", read_file(source_path("scripts/test")));
+  workplace.file("scripts/packages", "#!/bin/sh\n");
+  workplace.file("scripts/build", "#!/bin/sh\necho building; exit 2\n");
+  const auto chmod = [&](const char* what) {
+    std::filesystem::permissions(workplace.path(what), std::filesystem::perms::owner_all);
+  };
+  chmod("scripts/packages");
+  chmod("scripts/build");
+  for (const char* const tool : {"povray", "idiff", "oiiotool"}) {
+    const auto run = [&] {
+      return run_shell(
+          "dirname=$(command -v dirname); ln -sf \"$dirname\" bin/dirname; PATH=$PWD/bin "
+          "/bin/sh scripts/test",
+          workplace.directory());
+    };
+    const auto without = run();
+    EXPECT_EQ(without.exit_code, 2);
+    EXPECT_EQ(without.output.find(std::string(tool) + " is not on PATH"), 0U) << without.output;
+    workplace.file(std::string("bin/") + tool, "#!/bin/sh\n");
+    chmod((std::string("bin/") + tool).c_str());
+    EXPECT_EQ(run().output.find(std::string(tool) + " is not"), std::string::npos);
+  }
 }
 
 }  // namespace

@@ -73,16 +73,74 @@ TEST_F(Explain, AShadowNamesWhatCastsIt) {
   EXPECT_TRUE(contains(explain({"shadow.sdf", "16", "8"}).out, "light 'key' is hidden by 'lid' at t = "));
 }
 
-TEST_F(Explain, TooManyRaysAreLeftOutAndThatIsSaid) {
-  workplace_.file(
-      "room.sdf",
-      "define material m 0.1 0.1 0.1 0 0 0 0 0 0 1 mirror 0.5 0.5 0.5 transmit 0.5 0.5 0.5 eta 1.1\n"
-      "define shape sphere a 0 0 -5 2 m\ndefine shape sphere b 0 0 -5 1 m\n"
-      "define camera eye 60\nrender eye out.ppm 32 24\nambient 1 1 1\n");
-  const Outcome outcome = explain({"room.sdf", "16", "12", "--depth", "14"});
-  EXPECT_EQ(outcome.exit_code, 0);
-  EXPECT_TRUE(contains(outcome.out, "rays that are left out"));
-  EXPECT_LT(outcome.out.size(), 4000000U);
+/// Every number that the text shows.
+TEST_F(Explain, JsonHoldsWhatTheTextShows) {
+  workplace_.file("room.sdf",
+                  replaced(ball_scene, "red\n", "red\ndefine shape box lid 0 1.5 -4 9 2 0 red\n") +
+                      "define material glass 0.1 0 0 0.1 0.1 0.1 0.2 0.2 0.2 9 mirror 0.2 0.3 0.4 transmit "
+                      "0.6 0.5 0.7 eta 1.5\n"
+                      "define shape box pane -2 -2 -2 2 2 -1.5 glass\n");
+  const Outcome outcome = explain({"room.sdf", "16", "8", "--json", "-", "--stored"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Json tree = Json::parse(outcome.out).at("tree");
+  EXPECT_TRUE(tree.at("met").at("face").is_number()) << "of the pane";
+  EXPECT_EQ(tree.at("ambient").at("ka"), Json({0.1, 0, 0}));
+  const Json& light = tree.at("lights").at(0);
+  EXPECT_EQ(light.at("Ip"), Json({1.0, 1.0, 1.0}));
+  EXPECT_EQ(light.at("kd"), Json({0.1, 0.1, 0.1}));
+  EXPECT_EQ(light.at("ks"), Json({0.2, 0.2, 0.2}));
+  EXPECT_EQ(light.at("m"), 9.0);
+  EXPECT_EQ(light.at("blocker").at("shape"), "lid");
+  EXPECT_GT(light.at("blocker").at("t"), 0.0);
+  for (const Json& child : tree.at("children")) {
+    const bool is_mirrored = child.at("ray") == "mirrored ray";
+    EXPECT_EQ(child.at("weight").at("name"), is_mirrored ? "kr" : "kt");
+    EXPECT_EQ(child.at("weight").at("value"), is_mirrored ? Json({0.2, 0.3, 0.4}) : Json({0.6, 0.5, 0.7}));
+  }
+  EXPECT_FALSE(tree.contains("weight")) << "the camera ray is the whole";
+}
+
+/// Every ray has two that follow it: 2^D of them.
+const std::string doubling_scene =
+    "define material m 0.1 0.1 0.1 0 0 0 0 0 0 1 mirror 0.5 0.5 0.5 transmit 0.5 0.5 0.5 eta 1.1\n"
+    "define shape sphere a 0 0 -5 2 m\ndefine shape sphere b 0 0 -5 1 m\n"
+    "define camera eye 60\nrender eye out.ppm 32 24\nambient 1 1 1\n";
+
+TEST_F(Explain, TooManyRaysAreNotTracedAndThatIsSaid) {
+  workplace_.file("room.sdf", doubling_scene);
+  for (const char* const depth : {"14", "256"}) {
+    const Outcome outcome = explain({"room.sdf", "16", "12", "--depth", depth, "--stored"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_TRUE(contains(outcome.out, "rays that were not traced"));
+    EXPECT_TRUE(contains(outcome.out, "the sum covers only those that were traced"));
+    EXPECT_TRUE(contains(outcome.out, "choose a smaller --depth"));
+    EXPECT_FALSE(contains(outcome.out, "difference")) << "of a part of the sum it says nothing";
+    EXPECT_LT(outcome.out.size(), 20000000U);
+    EXPECT_LT(outcome.cpu_seconds, 60) << "2^256 rays are never traced";
+  }
+}
+
+TEST_F(Explain, JsonSaysWhetherTheTreeIsCut) {
+  workplace_.file("room.sdf", doubling_scene);
+  const auto json = [&](const char* depth) {
+    const Outcome outcome = explain({"room.sdf", "16", "12", "--depth", depth, "--stored", "--json", "-"});
+    EXPECT_LT(outcome.out.size(), 20000000U) << "no blanks without end";
+    return Json::parse(outcome.out);
+  };
+  EXPECT_EQ(json("4").at("is_cut"), false);
+  EXPECT_EQ(json("4").at("note"), "");
+  EXPECT_EQ(json("200").at("is_cut"), true);
+  EXPECT_TRUE(contains(json("200").at("note"), "more than 3000 rays"));
+}
+
+/// Without the other, neither mirrors nor glass double the rays: each term is traced to the end.
+TEST_F(Explain, TheTermsOfADeepSceneEnd) {
+  workplace_.file("room.sdf", doubling_scene);
+  for (const std::string without : {" mirror 0.5 0.5 0.5", " transmit 0.5 0.5 0.5"}) {
+    workplace_.file("term.sdf", replaced(doubling_scene, without, ""));
+    const Outcome outcome = explain({"term.sdf", "16", "12", "--depth", "256", "--stored", "--json", "-"});
+    EXPECT_EQ(Json::parse(outcome.out).at("is_cut"), false) << without;
+  }
 }
 
 TEST_F(Explain, BadInputIsTrouble) {

@@ -227,20 +227,33 @@ TEST_F(Regress, TheRecordedCommandRendersTheBaseline) {
 }
 
 TEST_F(Regress, TheShownCommandApproves) {
-  for (const std::string& name :
-       {std::string("ball"), std::string("a & <b> \"c\" 'd' $e"), std::string("-x")}) {
+  for (const std::string& name : {std::string("ball"), std::string("a & <b> \"c\" 'd' $e"), std::string("-x"),
+                                  std::string("two\nlines"), std::string("tab\t`x`\\n!*~\r")}) {
     workplace_.file("scenes/" + name + ".sdf", moved_ball());
   }
   const Outcome outcome = regress({"--json", "-", "--size", "16x12", "--real", "float"});
   EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
   const Json scenes = Json::parse(outcome.out).at("scenes");
-  ASSERT_EQ(scenes.size(), 3U);
+  ASSERT_EQ(scenes.size(), 5U);
   for (const Json& scene : scenes) {
     const std::string command = scene.at("approve");
     const auto result = run_shell(command, workplace_.directory());
     EXPECT_EQ(result.exit_code, 0) << command << "\n" << result.output;
   }
   EXPECT_EQ(regress({"--size", "16x12", "--real", "float"}).exit_code, 0);
+}
+
+TEST_F(Regress, ThePrintedCommandApproves) {
+  std::filesystem::remove(workplace_.path("scenes/ball.sdf"));
+  workplace_.file("scenes/two\n  'lines'\n.sdf", std::string(ball_scene));
+  const std::string said = regress({}).out;
+  const std::string before = "approve with: ";
+  const std::string reason = "--because 'the new image is right'";
+  const std::size_t begin = said.find(before) + before.size();
+  const std::string command = said.substr(begin, said.find(reason) + reason.size() - begin);
+  const auto result = run_shell(command, workplace_.directory());
+  EXPECT_EQ(result.exit_code, 0) << command << "\n" << result.output;
+  EXPECT_EQ(regress({}).exit_code, 0);
 }
 
 TEST_F(Regress, ASceneIsNamedByNameFileOrPath) {
@@ -398,6 +411,23 @@ TEST_F(Regress, JsonHasTheKeysOfVerifyAndTheCommand) {
 
 TEST_F(Regress, JsonAndJunitCannotBothBeStandardOutput) {
   expect_trouble(regress({"--json", "-", "--junit", "-"}), {"--json", "--junit"});
+}
+
+TEST_F(Regress, JunitTellsThatTheRecordsAreDamaged) {
+  approve("ball");
+  ASSERT_EQ(regress({"--junit", "junit.xml"}).exit_code, 0);
+  workplace_.file("scenes/baselines/baselines.json", "[{");
+  const Outcome outcome = regress({"--junit", "junit.xml"});
+  expect_trouble(outcome, {"baselines.json: is damaged"});
+  workplace_.file(
+      "read.py",
+      "import xml.etree.ElementTree as tree\n"
+      "root = tree.parse('junit.xml').getroot()\n"
+      "print(root.get('errors'), root.get('tests'), root.find('.//testcase/error').get('message'))\n");
+  const auto result = run_shell("python3 read.py", workplace_.directory());
+  ASSERT_EQ(result.exit_code, 0) << result.output;
+  EXPECT_TRUE(result.output.starts_with("1 1 ")) << "that of the run before is gone: " << result.output;
+  EXPECT_TRUE(contains(result.output, "baselines.json: is damaged")) << result.output;
 }
 
 TEST_F(Regress, JunitTellsEachOutcomeOfHostileNames) {

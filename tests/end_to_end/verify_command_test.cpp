@@ -422,8 +422,14 @@ TEST_F(Verify, TheReportIsOnePageWithEveryScene) {
 TEST_F(Verify, TermsStandInTheJson) {
   const Json json = verify_json({"ball.sdf", "--terms"});
   const Json& terms = json.at("scenes").at(0).at("terms");
-  EXPECT_EQ(keys_of(terms), (std::set<std::string>{"ambient", "diffuse", "specular", "shadow"}));
-  for (const auto& [term, figures] : terms.items()) EXPECT_LE(figures.at("max_error"), 1e-6) << term;
+  EXPECT_EQ(keys_of(terms),
+            (std::set<std::string>{"ambient", "diffuse", "specular", "shadow", "mirror", "refraction"}));
+  for (const auto& [term, figures] : terms.items()) {
+    EXPECT_LE(figures.at("max_error"), 1e-6) << term;
+    EXPECT_EQ(figures.at("in_scene"), term != "mirror" && term != "refraction") << term;
+    EXPECT_EQ(figures.at("unexplained"), 0) << term;
+  }
+  EXPECT_FALSE(verify_json({"ball.sdf"}).at("scenes").at(0).contains("terms")) << "when not asked for";
 }
 
 TEST_F(Verify, TheBudgetInTheJsonHasEveryCause) {

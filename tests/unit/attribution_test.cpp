@@ -53,10 +53,10 @@ Scene scene_of(const std::string& text) {
   return read.scene;
 }
 
-Image picture(const Scene& scene, const RenderOptions& options = {}) {
+Image picture(const Scene& scene, const RenderOptions& options = {}, int pixels = side) {
   textbook::RenderJob job;
-  job.width = side;
-  job.height = side;
+  job.width = pixels;
+  job.height = pixels;
   job.options = options;
   return textbook::render(scene, scene.cameras.front(), job);
 }
@@ -198,6 +198,46 @@ define shape sphere ball 1 0 -4 0.5 other
       << "a reference of floats has no such excuse";
 }
 
+/// Mirrors that transmit double the rays with each level: the pictures are none of the scene's, for it is
+/// never rendered.
+/// The reference holds 1 whatever is brighter: it cannot tell that the test is wrong, but tracing can.
+TEST(Attribution, ABrighterValueThanIsTracedIsNotClamped) {
+  const Scene scene = scene_of(head + R"(
+define light key 0 0 2 1 1 1 4
+define shape box back -9 -9 -5 9 9 -4 wall
+)");
+  const Image right = picture(scene);
+  Image reference = right;
+  for (float& v : reference.rgb) v = std::round(std::clamp(v, 0.0F, 1.0F) * 255) / 255;
+  const auto clamped = [&](const Image& test) {
+    return budget_of(scene, reference, test, references::Precision::bits8).count(Cause::clamped);
+  };
+  const std::size_t all = clamped(right);
+  ASSERT_GT(all, 3U);
+  Image wrong = right;
+  for (int y = 0; y < side; ++y) {
+    for (int c = 0; c < 3; ++c) wrong.pixel(3, y)[c] += wrong.pixel(3, y)[c] > 1 ? 0.01F : 0.0F;
+  }
+  EXPECT_LT(clamped(wrong), all);
+  EXPECT_EQ(budget_of(scene, reference, wrong, references::Precision::bits8).count(Cause::unexplained),
+            all - clamped(wrong));
+}
+
+TEST(Attribution, APixelOfTooManyRaysIsUnexplained) {
+  const Scene scene = scene_of(head + R"(
+define material both 0.1 0.1 0.1 0 0 0 0 0 0 1 mirror 0.5 0.5 0.5 transmit 0.5 0.5 0.5 eta 1.1
+define shape sphere outer 0 0 -5 3 both
+define shape sphere inner 0 0 -5 2 both
+)");
+  RenderOptions deep;
+  deep.depth = 256;
+  const Image reference = picture(scene);
+  Image test = reference;
+  for (float& v : test.rgb) v += 0.1F;
+  const Budget budget = references::attribute({scene, scene.cameras.front(), deep, reference, test, 1e-6});
+  EXPECT_EQ(budget.count(Cause::unexplained), static_cast<std::size_t>(side * side));
+}
+
 TEST(Attribution, WhatIsNotFiniteIsNeverExplained) {
   const Scene scene = scene_of(edge_along_a_column);
   Image reference = picture(scene);
@@ -221,6 +261,52 @@ TEST(Attribution, AnotherModelIsUnexplained) {
       EXPECT_EQ(as_test.explained(), 0U) << "a wrong test picture against a right reference: " << text;
     }
   }
+}
+
+constexpr int large_side = 64;
+
+TEST(Attribution, OfAPictureThatDiffersAsAWholeASampleIsExamined) {
+  const Scene scene = scene_of(edge_along_a_column);
+  Scene wrong = scene;
+  wrong.background *= 1.001;
+  for (Material& m : wrong.materials) m.ka *= 1.001;
+  const Budget budget = budget_of(scene, picture(scene, {}, large_side), picture(wrong, {}, large_side));
+  const std::size_t all = large_side * large_side;
+  EXPECT_EQ(budget.count(Cause::unexplained), all);
+  EXPECT_EQ(budget.unexamined, all - 256);
+  EXPECT_NE(budget.note(), "");
+}
+
+TEST(Attribution, AllAreExaminedWhenTheSampleIsExplained) {
+  const Scene scene = scene_of(head +
+                               "define shape box one -19 -19 -6 19 19 -4 wall\n"
+                               "define shape box two -19 -19 -7 19 19 -4 other\n");
+  Scene moved = scene;
+  std::get<Box>(moved.shapes[1].geometry).max.z += 1e-9;
+  Scene back = scene;
+  std::get<Box>(back.shapes[1].geometry).max.z -= 1e-9;
+  const Budget budget = budget_of(scene, picture(moved, {}, large_side), picture(back, {}, large_side));
+  EXPECT_EQ(budget.count(Cause::coincident), static_cast<std::size_t>(large_side * large_side));
+  EXPECT_EQ(budget.unexamined, 0U);
+  EXPECT_EQ(budget.note(), "");
+}
+
+TEST(Attribution, WhatIsLeftWhenTheWorkIsOverIsUnexamined) {
+  const Scene scene = scene_of(two_at_one_place);
+  Scene moved = scene;
+  std::get<Box>(moved.shapes[1].geometry).max.z += 1e-9;
+  const Image reference = picture(moved);
+  const Image test = picture(scene);
+  references::AttributionJob job{scene, scene.cameras.front(), {}, reference, test, 1e-6};
+  const Budget whole = references::attribute(job);
+  ASSERT_EQ(whole.count(Cause::coincident), whole.pixels.size());
+  EXPECT_EQ(whole.unexamined, 0U);
+  job.work = 100;  // a few rays
+  const Budget begun = references::attribute(job);
+  EXPECT_EQ(begun.pixels.size(), whole.pixels.size());
+  EXPECT_EQ(begun.unexamined, begun.count(Cause::unexplained));
+  EXPECT_GT(begun.unexamined, 0U);
+  EXPECT_NE(begun.note(), "");
 }
 
 TEST(Attribution, BoundsHoldForFewAndBreakForMany) {

@@ -21,10 +21,11 @@ struct LightSeen {
   Real specular_factor{0};  ///< (r . v)^m
 };
 
-/// Sees nothing and costs nothing. Another observer has the same members.
+/// Sees nothing and costs nothing. Another observer has the same members; what `ray_begins` refuses is not
+/// followed, is black, and does not end.
 template <class Real>
 struct NoObserver {
-  void ray_begins(RayKind, const Ray<Real>&, int /*depth*/) const {}
+  bool ray_begins(RayKind, const Ray<Real>&, int /*depth*/) const { return true; }
   void is_black_at_depth_limit() const {}
   void meets(const Hit<Real>&, const Surface<Real>&, const Vec3<Real>& /*point*/,
              const Vec3<Real>& /*normal*/) const {}

@@ -42,7 +42,7 @@ class Tracer {
   /// `depth` counts the rays before this one; `unbent` the surfaces crossed without raising it.
   Rgb<Real> trace(RayKind kind, const Ray<Real>& ray, SurfaceId start, const Interiors<Real>& interiors,
                   int depth, int unbent = 0) const {
-    observer_.ray_begins(kind, ray, depth);
+    if (!observer_.ray_begins(kind, ray, depth)) return Rgb<Real>(0);
     const Rgb<Real> colour = follow(ray, start, interiors, depth, unbent);
     observer_.ray_ends(colour);
     return colour;

@@ -1,0 +1,63 @@
+#include "references/pixel_tracer.hpp"
+
+#include <utility>
+
+namespace plumb::references {
+namespace {
+
+/// Beside the spheres and boxes that it is held against: what a ray, a light and a shape cost as such.
+constexpr double units_of_shading = 20;
+constexpr double units_of_shape = 50;
+
+double units_of(const Scene& scene, textbook::InstanceId instances) {
+  return (units_of_shading + static_cast<double>(instances)) * static_cast<double>(1 + scene.lights.size());
+}
+
+double rays_of(const RayNode& tree) {
+  double rays = 1;
+  for (const RayNode& child : tree.children) rays += rays_of(child);
+  return rays;
+}
+
+Colour rounded(const Rgbd& c) {
+  return {static_cast<float>(c.x), static_cast<float>(c.y), static_cast<float>(c.z)};
+}
+
+}  // namespace
+
+RayLimit::RayLimit(double units_of_ray, Work& work)
+    : units_of_ray_(units_of_ray), work_(&work), rays_(std::make_shared<std::size_t>(0)) {}
+
+bool RayLimit::ray_begins(textbook::RayKind, const Ray<double>&, int) const {
+  work_->spend(units_of_ray_);
+  return ++*rays_ <= most_rays_of_pixel;
+}
+
+bool RayLimit::take_is_cut() const { return std::exchange(*rays_, 0) > most_rays_of_pixel; }
+
+PixelTracer::PixelTracer(Scene scene, const AttributionJob& job, const RenderOptions& options, Work& work,
+                         const textbook::FormulaTable<double>& formulas)
+    : scene_(std::move(scene)),
+      world_(scene_, formulas),
+      work_(work),
+      units_of_ray_(units_of(scene_, world_.instances())),
+      limit_(units_of_ray_, work),
+      tracer_(world_, job.camera, job.reference.width, job.reference.height, options, limit_),
+      recording_(world_, job.camera, job.reference.width, job.reference.height, options, recorder_) {
+  work.spend(units_of_shape * static_cast<double>(scene_.shapes.size()));
+}
+
+std::optional<Colour> PixelTracer::at(const AttributedPixel& p) const {
+  const Colour colour = rounded(tracer_.raycast(p.x, p.y));
+  if (limit_.take_is_cut()) return std::nullopt;
+  return colour;
+}
+
+RayNode PixelTracer::tree_of(const AttributedPixel& p) const {
+  recording_.raycast(p.x, p.y);
+  RayNode tree = recorder_.take();
+  work_.spend(units_of_ray_ * rays_of(tree));
+  return tree;
+}
+
+}  // namespace plumb::references
