@@ -1,7 +1,7 @@
 #include "references/metrics/flip_kernels.hpp"
 
 #undef HWY_TARGET_INCLUDE
-// Left out: what processor() in references/metrics/processor.hpp does not choose among; it would never run.
+// Left out: what widest_vectors() in tracer/engine/vectors.hpp does not choose among; it would never run.
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SSE4 | HWY_AVX3_DL)
 #define HWY_TARGET_INCLUDE "references/metrics/flip_kernels.cpp"
 #include <hwy/foreach_target.h>
@@ -12,7 +12,7 @@
 #include <algorithm>
 
 #include "references/metrics/flip_model.hpp"
-#include "references/metrics/processor.hpp"
+#include "tracer/engine/vectors.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace plumb::references::flip_kernels::HWY_NAMESPACE {

@@ -3,19 +3,23 @@
 // nothing.
 #pragma once
 
-namespace plumb::references {
+#include <string>
 
-enum class Processor { any, avx2, avx512 };
+namespace plumb {
 
-inline Processor processor() {
-  static const Processor found = [] {
+/// How wide the vectors are; `any` is what every processor of the kind has.
+enum class Vectors { any, avx2, avx512 };
+
+/// The widest vectors that this processor has.
+inline Vectors widest_vectors() {
+  static const Vectors found = [] {
     const bool has_avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
                           __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2") &&
                           __builtin_cpu_supports("aes") && __builtin_cpu_supports("pclmul");
     const bool has_avx512 = has_avx2 && __builtin_cpu_supports("avx512f") &&
                             __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512cd") &&
                             __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
-    return has_avx512 ? Processor::avx512 : has_avx2 ? Processor::avx2 : Processor::any;
+    return has_avx512 ? Vectors::avx512 : has_avx2 ? Vectors::avx2 : Vectors::any;
   }();
   return found;
 }
@@ -23,8 +27,12 @@ inline Processor processor() {
 /// One function as it was compiled three times.
 template <class Function>
 Function* chosen(Function* any, Function* avx2, Function* avx512) {
-  if (processor() == Processor::avx512) return avx512;
-  return processor() == Processor::avx2 ? avx2 : any;
+  if (widest_vectors() == Vectors::avx512) return avx512;
+  return widest_vectors() == Vectors::avx2 ? avx2 : any;
 }
 
-}  // namespace plumb::references
+inline std::string name_of(Vectors vectors) {
+  return vectors == Vectors::avx512 ? "AVX-512" : vectors == Vectors::avx2 ? "AVX2" : "SSE2";
+}
+
+}  // namespace plumb

@@ -1,0 +1,19 @@
+// What the engine chooses by itself; tests choose otherwise. No choice changes the picture.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "tracer/engine/vectors.hpp"
+
+namespace plumb::engine {
+
+struct Settings {
+  Vectors vectors = widest_vectors();
+  /// Up to so many instances in all, shared composites are written out: one level is faster than two.
+  std::uint64_t most_written_out = 65536;
+  /// Up to so many objects, bundles of rays may be of any width.
+  std::size_t few_objects = 64;
+};
+
+}  // namespace plumb::engine

@@ -1,0 +1,133 @@
+// A vector of rays against one shape: slides "Kugel" and "Quader" as in tracer/formulas, side by side.
+
+#if defined(PLUMB_ENGINE_SHAPES_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef PLUMB_ENGINE_SHAPES_INL
+#undef PLUMB_ENGINE_SHAPES_INL
+#else
+#define PLUMB_ENGINE_SHAPES_INL
+#endif
+
+#include "tracer/engine/math-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace plumb::engine::HWY_NAMESPACE {
+
+/// Lanes that meet the shape at some t > 0, the smallest, and where.
+template <class Real>
+struct Met {
+  M<Real> mask;
+  V<Real> t;
+  W<Real> face;  ///< of a box
+};
+
+/// One vector of rays in the space of the shape.
+template <class Real>
+struct RayVector {
+  V3<Real> origin, direction;
+  bool is_unit;  ///< directions
+  bool any_own;  ///< whether a lane starts on the shape
+  M<Real> own;   ///< those that do
+  W<Real> own_face;
+};
+
+/// formulas::intersect_sphere.
+template <class Real>
+HWY_INLINE Met<Real> meet(const RayVector<Real>& ray, const Sphere<Real>& sphere) {
+  const V<Real> zero = set(Real(0));
+  const V3<Real> offset = sub<Real>(ray.origin, set3(sphere.center));
+  const V<Real> half_b = dot<Real>(offset, ray.direction);
+  const V<Real> c = hn::Sub(dot<Real>(offset, offset), set(sphere.radius * sphere.radius));
+  const V<Real> a = ray.is_unit ? set(Real(1)) : dot<Real>(ray.direction, ray.direction);
+  const V<Real> ac = ray.is_unit ? c : hn::Mul(a, c);
+  const V<Real> discriminant = hn::Sub(hn::Mul(half_b, half_b), ac);
+  const M<Real> is_inward = hn::Lt(half_b, zero);
+  const M<Real> is_outside = hn::Gt(c, zero);
+  M<Real> mask = hn::And(hn::Ge(discriminant, zero), hn::Or(is_inward, hn::Not(is_outside)));
+  if (!ray.any_own && none<Real>(mask)) return {mask, zero, hn::Zero(WordTag<Real>())};
+  const V<Real> root = hn::Sqrt(discriminant);
+  const V<Real> q = hn::Add(root, hn::Abs(half_b));  // root -+ half_b, whichever does not cancel
+  V<Real> t = hn::Div(hn::Abs(c), q);
+  const M<Real> leaves = hn::AndNot(is_outside, is_inward);
+  if (!none<Real>(hn::And(mask, leaves))) t = hn::IfThenElse(leaves, hn::Div(q, a), t);
+  if (ray.any_own) {
+    mask = hn::Or(hn::AndNot(ray.own, mask), hn::And(ray.own, is_inward));
+    t = hn::IfThenElse(ray.own, hn::Div(hn::Mul(set(Real(-2)), half_b), a), t);
+  }
+  return {mask, t, hn::Zero(WordTag<Real>())};
+}
+
+/// The planes of one axis, entered and left.
+template <class Real>
+struct Slab {
+  V<Real> enter, leave;
+  M<Real> is_missed;
+};
+
+template <class Real>
+HWY_INLINE Slab<Real> slab(V<Real> origin, V<Real> direction, V<Real> per_direction, Real low, Real high) {
+  const V<Real> a = hn::Mul(hn::Sub(set(low), origin), per_direction);
+  const V<Real> b = hn::Mul(hn::Sub(set(high), origin), per_direction);
+  const M<Real> is_parallel = hn::Eq(direction, set(Real(0)));
+  Slab<Real> found{hn::Min(a, b), hn::Max(a, b), hn::MaskFromVec(hn::Zero(Tag<Real>()))};
+  if (HWY_LIKELY(none<Real>(is_parallel))) return found;
+  const V<Real> infinite = set(std::numeric_limits<Real>::infinity());
+  found.enter = hn::IfThenElse(is_parallel, hn::Neg(infinite), found.enter);
+  found.leave = hn::IfThenElse(is_parallel, infinite, found.leave);
+  found.is_missed = hn::And(is_parallel, hn::Or(hn::Lt(origin, set(low)), hn::Gt(origin, set(high))));
+  return found;
+}
+
+/// The face of an axis that a ray enters by (or leaves by).
+template <class Real>
+HWY_INLINE W<Real> face_of(V<Real> direction, unsigned axis, bool entered) {
+  const WordTag<Real> w;
+  const auto ascends = hn::RebindMask(w, hn::Gt(direction, set(Real(0))));
+  const auto low = hn::Set(w, static_cast<Word<Real>>(2 * axis)),
+             high = hn::Set(w, static_cast<Word<Real>>(2 * axis + 1));
+  return entered ? hn::IfThenElse(ascends, low, high) : hn::IfThenElse(ascends, high, low);
+}
+
+/// formulas::intersect_box.
+template <class Real>
+HWY_INLINE Met<Real> meet(const RayVector<Real>& ray, const V3<Real>& per_direction, const Box<Real>& box) {
+  const WordTag<Real> w;
+  const V<Real> zero = set(Real(0));
+  const V3<Real>& d = ray.direction;
+  Slab<Real> x = slab<Real>(ray.origin.x, d.x, per_direction.x, box.min.x, box.max.x);
+  Slab<Real> y = slab<Real>(ray.origin.y, d.y, per_direction.y, box.min.y, box.max.y);
+  Slab<Real> z = slab<Real>(ray.origin.z, d.z, per_direction.z, box.min.z, box.max.z);
+  M<Real> is_missed = hn::Or(hn::Or(x.is_missed, y.is_missed), z.is_missed);
+  if (ray.any_own) {
+    const auto starts_on = [&](W<Real> face) HWY_ATTR {
+      return hn::And(ray.own, hn::RebindMask(Tag<Real>(), hn::Eq(ray.own_face, face)));
+    };
+    // What starts on the face where it would leave moves away; where it would enter, it is there.
+    is_missed = hn::Or(is_missed, starts_on(face_of<Real>(d.x, 0, false)));
+    is_missed = hn::Or(is_missed, starts_on(face_of<Real>(d.y, 1, false)));
+    is_missed = hn::Or(is_missed, starts_on(face_of<Real>(d.z, 2, false)));
+    x.enter = hn::IfThenElse(starts_on(face_of<Real>(d.x, 0, true)), zero, x.enter);
+    y.enter = hn::IfThenElse(starts_on(face_of<Real>(d.y, 1, true)), zero, y.enter);
+    z.enter = hn::IfThenElse(starts_on(face_of<Real>(d.z, 2, true)), zero, z.enter);
+  }
+  const V<Real> enter = hn::Max(hn::Max(x.enter, y.enter), z.enter);
+  const V<Real> leave = hn::Min(hn::Min(x.leave, y.leave), z.leave);
+  M<Real> enters = hn::Gt(enter, zero);
+  if (ray.any_own) enters = hn::AndNot(ray.own, enters);
+  const V<Real> t = hn::IfThenElse(enters, enter, leave);
+  const M<Real> mask = hn::AndNot(is_missed, hn::And(hn::Le(enter, leave), hn::Gt(t, zero)));
+  if (none<Real>(mask)) return {mask, t, hn::Zero(w)};
+  const auto face = [&](V<Real> of_x, V<Real> of_y, V<Real> all, bool entered) HWY_ATTR {
+    const auto by_x = hn::RebindMask(w, hn::Eq(of_x, all)), by_y = hn::RebindMask(w, hn::Eq(of_y, all));
+    return hn::IfThenElse(
+        by_x, face_of<Real>(d.x, 0, entered),
+        hn::IfThenElse(by_y, face_of<Real>(d.y, 1, entered), face_of<Real>(d.z, 2, entered)));
+  };
+  const W<Real> at_entry = face(x.enter, y.enter, enter, true);
+  if (none<Real>(hn::AndNot(enters, mask))) return {mask, t, at_entry};
+  const W<Real> at_exit = face(x.leave, y.leave, leave, false);
+  return {mask, t, hn::IfThenElse(hn::RebindMask(w, enters), at_entry, at_exit)};
+}
+
+}  // namespace plumb::engine::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

@@ -1,0 +1,60 @@
+// What a tile needs to be rendered, and the functions that do it for one instruction set each.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "tracer/engine/compiled_scene.hpp"
+#include "tracer/engine/statistics.hpp"
+#include "tracer/scene/dielectrics.hpp"
+#include "tracer/scene/render_options.hpp"
+
+namespace plumb::engine {
+
+inline constexpr int tile_edge = 16;
+
+/// The camera in the engine's real type: the direction of a pixel is right * x + up * y + forward.
+template <class Real>
+struct View {
+  Vec3<Real> eye, right, up, forward;
+  std::vector<Real> plane_x, plane_y;  ///< of pixel centres, per column and row, on the image plane
+  std::vector<EnclosingDielectric> around_the_eye;
+  RenderOptions options;
+};
+
+/// Pixels x to x + width, y to y + height, at most tile_edge each.
+struct Tile {
+  int x, y, width, height;
+};
+
+/// A place within a tile.
+struct TilePixel {
+  std::uint8_t x, y;
+};
+
+/// The pixels of a whole tile along Morton's curve: every 8, 16, 64 in a row are a block of the picture.
+inline constexpr std::array<TilePixel, tile_edge* tile_edge> tile_pixels = [] {
+  constexpr auto even_bits = [](unsigned i) {
+    return static_cast<std::uint8_t>((i & 1) | (i >> 1 & 2) | (i >> 2 & 4) | (i >> 3 & 8));
+  };
+  std::array<TilePixel, tile_edge * tile_edge> pixels{};
+  for (unsigned i = 0; i < pixels.size(); ++i) pixels[i] = {even_bits(i), even_bits(i >> 1)};
+  return pixels;
+}();
+
+/// Renders tiles, one after the other, on one thread.
+template <class Real>
+class TileRenderer {
+ public:
+  virtual ~TileRenderer() = default;
+  TileRenderer() = default;
+  TileRenderer(const TileRenderer&) = delete;
+  TileRenderer& operator=(const TileRenderer&) = delete;
+
+  /// Linear colours, r g b interleaved, row by row of the tile.
+  virtual void render(const Tile& tile, float* rgb) = 0;
+  virtual const Statistics& statistics() const = 0;
+};
+
+}  // namespace plumb::engine

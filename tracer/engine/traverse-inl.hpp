@@ -1,0 +1,368 @@
+// The way of rays through the hierarchy: the core loop.
+
+#if defined(PLUMB_ENGINE_TRAVERSE_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef PLUMB_ENGINE_TRAVERSE_INL
+#undef PLUMB_ENGINE_TRAVERSE_INL
+#else
+#define PLUMB_ENGINE_TRAVERSE_INL
+#endif
+
+#include <memory>
+
+#include "tracer/engine/bundle.hpp"
+#include "tracer/engine/hierarchy_builder.hpp"
+#include "tracer/engine/shapes-inl.hpp"
+#include "tracer/engine/statistics.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace plumb::engine::HWY_NAMESPACE {
+
+/// Rays as a group sees them, from the first of a bundle on.
+template <class Real>
+struct RayView {
+  const Lanes3<Real>* origin;
+  const Lanes3<Real>* direction;
+  Lanes3<Real>* per_direction;
+  std::size_t begin;
+  bool is_unit;
+  bool has_inverses = false;  ///< whether per_direction is set for the rays of the bundle
+};
+
+/// Rays within a group that has a matrix.
+template <class Real>
+struct LocalRays {
+  Lanes3<Real> origin, direction, per_direction;
+};
+
+template <class Real>
+HWY_INLINE V3<Real> transformed_vector(const Affine<Real>& m, const V3<Real>& v) {
+  return add<Real>(add<Real>(scaled<Real>(set3(m.x), v.x), scaled<Real>(set3(m.y), v.y)),
+                   scaled<Real>(set3(m.z), v.z));
+}
+template <class Real>
+HWY_INLINE V3<Real> transformed_point(const Affine<Real>& m, const V3<Real>& p) {
+  return add<Real>(transformed_vector<Real>(m, p), set3(m.origin));
+}
+template <class Real>
+HWY_INLINE V3<Real> inverses(const V3<Real>& v) {
+  const V<Real> one = set(Real(1));
+  return {hn::Div(one, v.x), hn::Div(one, v.y), hn::Div(one, v.z)};
+}
+
+/// Bounds of the rays whose lanes a mask keeps; the others do not count.
+template <class Real>
+class BoundsOfRays {
+ public:
+  HWY_INLINE BoundsOfRays()
+      : low_{all_high(), all_high(), all_high()}, high_{all_low(), all_low(), all_low()} {}
+
+  HWY_INLINE void add(M<Real> kept, const V3<Real>& v) {
+    low_ = {lower(kept, low_.x, v.x), lower(kept, low_.y, v.y), lower(kept, low_.z, v.z)};
+    high_ = {higher(kept, high_.x, v.x), higher(kept, high_.y, v.y), higher(kept, high_.z, v.z)};
+  }
+  HWY_INLINE Vec3<double> min() const { return {least(low_.x), least(low_.y), least(low_.z)}; }
+  HWY_INLINE Vec3<double> max() const { return {greatest(high_.x), greatest(high_.y), greatest(high_.z)}; }
+
+ private:
+  static HWY_INLINE V<Real> all_high() { return set(std::numeric_limits<Real>::infinity()); }
+  static HWY_INLINE V<Real> all_low() { return set(-std::numeric_limits<Real>::infinity()); }
+  static HWY_INLINE V<Real> lower(M<Real> kept, V<Real> so_far, V<Real> v) {
+    return hn::Min(so_far, hn::IfThenElse(kept, v, all_high()));
+  }
+  static HWY_INLINE V<Real> higher(M<Real> kept, V<Real> so_far, V<Real> v) {
+    return hn::Max(so_far, hn::IfThenElse(kept, v, all_low()));
+  }
+  static HWY_INLINE double least(V<Real> v) {
+    return static_cast<double>(hn::GetLane(hn::MinOfLanes(Tag<Real>(), v)));
+  }
+  static HWY_INLINE double greatest(V<Real> v) {
+    return static_cast<double>(hn::GetLane(hn::MaxOfLanes(Tag<Real>(), v)));
+  }
+
+  V3<Real> low_, high_;
+};
+
+struct Waiting {
+  std::uint32_t node;
+  float t;
+};
+
+/// A stack for all groups on the way down.
+struct WaitingNodes {
+  std::vector<Waiting> nodes;
+  std::size_t size = 0;
+};
+
+/// Finds what a bundle of rays meets: the nearest hit of each, or (any_hit) whether anything lies before t.
+template <class Real, bool any_hit>
+class Traversal {
+ public:
+  Traversal(const CompiledScene<Real>& scene, Rays<Real>& rays, std::size_t begin, std::size_t size,
+            bool knows_starts, WaitingNodes& waiting, Statistics& statistics)
+      : scene_(scene),
+        rays_(rays),
+        begin_(begin),
+        size_(size),
+        knows_starts_(knows_starts),
+        waiting_(waiting),
+        statistics_(statistics) {}
+
+  HWY_NOINLINE void follow(const Group& group, Bundle& bundle, RayView<Real>& view, std::uint64_t first) {
+    if (group.root.kind() == Kind::none) return;
+    const std::size_t bottom = waiting_.size;
+    waiting_.nodes.resize(std::max(waiting_.nodes.size(), bottom + greatest_depth * node_width));
+    wait_for({group.root.index(), 0}, bottom);
+    while (waiting_.size > bottom && !all_are_hidden_) {
+      const Waiting next = waiting_.nodes[--waiting_.size];
+      if (next.t > bundle.t_max) continue;
+      ++statistics_.nodes;
+      const Node& node = scene_.nodes[next.node];
+      alignas(64) float entered[node_width];
+      const std::size_t inner = waiting_.size;
+      for (unsigned met = places_met(node, bundle, entered); met != 0; met &= met - 1) {
+        const auto place = static_cast<unsigned>(__builtin_ctz(met));
+        const Ref child = node.child[place];
+        if (child.kind() == Kind::node) {
+          wait_for({child.index(), entered[place]}, inner);
+        } else if (entered[place] <= bundle.t_max) {
+          meet_child(child, bundle, view, first);
+        }
+      }
+    }
+    waiting_.size = bottom;
+  }
+
+  /// Any lane may still be asked for.
+  Real farthest() const {
+    V<Real> all = set(-std::numeric_limits<Real>::infinity());
+    for (std::size_t i = 0; i < size_; i += lanes<Real>())
+      all = hn::Max(all, hn::IfThenElse(first<Real>(size_ - i), load(&rays_.t[begin_ + i]),
+                                        set(-std::numeric_limits<Real>::infinity())));
+    return hn::GetLane(hn::MaxOfLanes(Tag<Real>(), all));
+  }
+
+ private:
+  /// The places of a node that the bundle may meet, as bits, and from which t on.
+  static HWY_INLINE unsigned places_met(const Node& node, const Bundle& bundle, float* entered) {
+    const hn::CappedTag<float, node_width> d;
+    unsigned met = 0;
+    for (std::size_t at = 0; at < node_width; at += hn::Lanes(d)) {
+      auto near =
+          hn::Max(hn::Max(hn::Zero(d), reached(d, node, bundle.line[0], at)),
+                  hn::Max(reached(d, node, bundle.line[1], at), reached(d, node, bundle.line[2], at)));
+      auto far = hn::Set(d, bundle.t_max);
+      if (HWY_LIKELY(bundle.enters == 3)) {
+        far = hn::Min(hn::Min(far, reached(d, node, bundle.line[3], at)),
+                      hn::Min(reached(d, node, bundle.line[4], at), reached(d, node, bundle.line[5], at)));
+      } else {
+        near = hn::Zero(d);
+        for (unsigned i = 0; i < bundle.enters; ++i)
+          near = hn::Max(near, reached(d, node, bundle.line[i], at));
+        for (unsigned i = bundle.enters; i < 6; ++i) far = hn::Min(far, reached(d, node, bundle.line[i], at));
+      }
+      // Each t is off by three roundings at most: Ize, "Robust BVH Ray Traversal", 2013.
+      const auto mask = hn::Le(near, hn::Mul(far, hn::Set(d, 1 + 8 * std::numeric_limits<float>::epsilon())));
+      hn::StoreU(near, d, entered + at);
+      std::uint8_t bytes[8] = {};
+      hn::StoreMaskBits(d, mask, bytes);
+      met |= static_cast<unsigned>(bytes[0]) << at;
+    }
+    return met;
+  }
+  template <class D>
+  static HWY_INLINE hn::Vec<D> reached(D d, const Node& node, const Bundle::HalfLine& line, std::size_t at) {
+    const auto plane = hn::LoadU(d, &node.planes[line.plane][at]);
+    return hn::Mul(hn::Sub(plane, hn::Set(d, line.origin)), hn::Set(d, line.per_slope));
+  }
+
+  /// The nearest is taken first.
+  HWY_INLINE void wait_for(Waiting node, std::size_t inner) {
+    Waiting* const nodes = waiting_.nodes.data();
+    std::size_t to = waiting_.size++;
+    if constexpr (!any_hit) {
+      for (; to > inner && nodes[to - 1].t < node.t; --to) nodes[to] = nodes[to - 1];
+    }
+    nodes[to] = node;
+  }
+
+  HWY_INLINE void meet_child(Ref child, Bundle& bundle, RayView<Real>& view, std::uint64_t first) {
+    bool changed = false;
+    switch (child.kind()) {
+      case Kind::sphere:
+      case Kind::box:
+        changed = meet_shape(child, child, nullptr, view, first);
+        break;
+      case Kind::placed: {
+        const Placed<Real>& placed = scene_.placed[child.index()];
+        changed = meet_shape(placed.shape, child, &placed.object_from_group, view, first);
+        break;
+      }
+      case Kind::group:
+        changed = meet_group(scene_.members[child.index()], view, first);
+        break;
+      default:
+        return;  // an empty place that the bundle has come too close to, far from everything
+    }
+    if (changed) limit(bundle);
+  }
+
+  HWY_INLINE void limit(Bundle& bundle) {
+    const Real t = farthest();
+    if constexpr (any_hit) {
+      all_are_hidden_ = t < 0;
+    } else {
+      bundle.limit(static_cast<double>(t));
+    }
+  }
+
+  HWY_NOINLINE bool meet_group(const Member<Real>& member, RayView<Real>& view, std::uint64_t first) {
+    const auto local = std::make_unique_for_overwrite<LocalRays<Real>>();
+    BoundsOfRays<Real> origins, directions;
+    for (std::size_t i = 0; i < size_; i += lanes<Real>()) {
+      const V3<Real> origin =
+          transformed_point<Real>(member.member_from_group, load3(*view.origin, view.begin + i));
+      const V3<Real> direction =
+          transformed_vector<Real>(member.member_from_group, load3(*view.direction, view.begin + i));
+      store3<Real>(origin, local->origin, i);
+      store3<Real>(direction, local->direction, i);
+      const M<Real> is_asked =
+          hn::And(HWY_NAMESPACE::first<Real>(size_ - i), hn::Ge(load(&rays_.t[begin_ + i]), set(Real(0))));
+      origins.add(is_asked, origin);
+      directions.add(is_asked, direction);
+    }
+    const Group& group = scene_.groups[member.group];
+    Bundle bundle({origins.min(), origins.max(), directions.min(), directions.max()}, group);
+    bundle.limit(static_cast<double>(farthest()));
+    const std::uint64_t hits = hits_;
+    RayView<Real> inside{&local->origin, &local->direction, &local->per_direction, 0, false};
+    follow(group, bundle, inside, first + member.first);
+    return hits_ != hits;
+  }
+
+  /// All rays of the bundle against one shape; whether anything nearer was found.
+  HWY_INLINE bool meet_shape(Ref shape, Ref ref, const Affine<Real>* object_from_group, RayView<Real>& view,
+                             std::uint64_t first) {
+    const std::uint64_t instance = first + label(shape).instance;
+    const std::uint64_t hits = hits_;
+    if (shape.kind() == Kind::box && object_from_group == nullptr && !view.has_inverses) invert(view);
+    for (std::size_t i = 0; i < size_; i += lanes<Real>()) {
+      ++statistics_.shape_tests;
+      RayVector<Real> ray{load3(*view.origin, view.begin + i),
+                          load3(*view.direction, view.begin + i),
+                          view.is_unit,
+                          false,
+                          hn::MaskFromVec(hn::Zero(Tag<Real>())),
+                          hn::Zero(WordTag<Real>())};
+      if (knows_starts_) set_own(ray, ref, instance, i);
+      if (object_from_group != nullptr) {
+        ray.origin = transformed_point<Real>(*object_from_group, ray.origin);
+        ray.direction = transformed_vector<Real>(*object_from_group, ray.direction);
+        ray.is_unit = false;
+      }
+      if (shape.kind() == Kind::sphere) {
+        accept(meet<Real>(ray, scene_.spheres[shape.index()]), ref, instance, i, false);
+      } else {
+        const V3<Real> per_direction = object_from_group != nullptr
+                                           ? inverses<Real>(ray.direction)
+                                           : load3(*view.per_direction, view.begin + i);
+        accept(meet<Real>(ray, per_direction, scene_.boxes[shape.index()]), ref, instance, i, true);
+      }
+    }
+    return hits_ != hits;
+  }
+
+  HWY_NOINLINE void invert(RayView<Real>& view) const {
+    for (std::size_t i = view.begin; i < view.begin + size_; i += lanes<Real>())
+      store3<Real>(inverses<Real>(load3(*view.direction, i)), *view.per_direction, i);
+    view.has_inverses = true;
+  }
+
+  HWY_INLINE const Label& label(Ref shape) const {
+    return shape.kind() == Kind::sphere ? scene_.sphere_labels[shape.index()]
+                                        : scene_.box_labels[shape.index()];
+  }
+
+  /// Which lanes start on this very shape, of this very instance.
+  HWY_INLINE void set_own(RayVector<Real>& ray, Ref ref, std::uint64_t instance, std::size_t i) const {
+    const WordTag<Real> w;
+    const auto starts = hn::LoadU(w, &rays_.start[begin_ + i]);
+    M<Real> own = hn::RebindMask(Tag<Real>(), hn::Eq(starts, hn::Set(w, static_cast<Word<Real>>(ref.bits))));
+    if (HWY_LIKELY(none<Real>(own))) return;
+    if (!scene_.members.empty()) {  // other instances of the shape have the same ref
+      alignas(64) Word<Real> same[widest_vector] = {};
+      for (std::size_t lane = 0; lane < lanes<Real>(); ++lane)
+        same[lane] = rays_.start_instance[begin_ + i + lane] == instance ? ~Word<Real>{0} : Word<Real>{0};
+      own = hn::And(own, hn::MaskFromVec(hn::BitCast(Tag<Real>(), hn::Load(w, same))));
+    }
+    ray.own = own;
+    ray.own_face = hn::LoadU(w, &rays_.start_face[begin_ + i]);
+    ray.any_own = !none<Real>(own);
+  }
+
+  /// Keeps what is nearer than all so far. What rounding cannot tell apart is one place, and the first
+  /// instance is taken (as the textbook tracer does it).
+  HWY_INLINE void accept(const Met<Real>& met, Ref ref, std::uint64_t instance, std::size_t i, bool is_box) {
+    const Tag<Real> d;
+    const WordTag<Real> w;
+    Real* const best = &rays_.t[begin_ + i];
+    const V<Real> nearest = load(best), t_min = load(&rays_.t_min[begin_ + i]);
+    M<Real> mask = hn::And(met.mask, hn::Gt(met.t, t_min));
+    if (size_ - i < lanes<Real>()) mask = hn::And(mask, HWY_NAMESPACE::first<Real>(size_ - i));
+    if constexpr (any_hit) {
+      mask = hn::And(mask, hn::Lt(met.t, nearest));
+      if (none<Real>(mask)) return;
+      ++hits_;
+      store<Real>(hn::IfThenElse(mask, set(Real(-1)), nearest), best);
+    } else {
+      constexpr Real rounding = 64 * std::numeric_limits<Real>::epsilon();
+      const V<Real> one_place = hn::Add(t_min, hn::Mul(set(rounding), met.t));
+      mask = hn::And(mask, hn::Lt(met.t, hn::Add(nearest, one_place)));
+      if (none<Real>(mask)) return;
+      const M<Real> is_tie = hn::And(mask, hn::Ge(met.t, hn::Sub(nearest, one_place)));
+      if (HWY_UNLIKELY(!none<Real>(is_tie))) mask = hn::AndNot(later(is_tie, instance, i), mask);
+      ++hits_;
+      store<Real>(hn::IfThenElse(mask, met.t, nearest), best);
+      Word<Real>* const refs = &rays_.ref[begin_ + i];
+      const auto words = hn::RebindMask(w, mask);
+      hn::StoreU(hn::IfThenElse(words, hn::Set(w, static_cast<Word<Real>>(ref.bits)), hn::LoadU(w, refs)), w,
+                 refs);
+      if (is_box) {
+        Word<Real>* const faces = &rays_.face[begin_ + i];
+        hn::StoreU(hn::IfThenElse(words, met.face, hn::LoadU(w, faces)), w, faces);
+      }
+      if (!scene_.needs_instances) return;
+      for (unsigned bits = bits_of<Real>(mask); bits != 0; bits &= bits - 1)
+        rays_.instance[begin_ + i + static_cast<unsigned>(__builtin_ctz(bits))] = instance;
+    }
+    (void)d;
+  }
+
+  /// The lanes of a tie whose instance so far comes first.
+  HWY_NOINLINE M<Real> later(M<Real> is_tie, std::uint64_t instance, std::size_t i) const {
+    alignas(64) Word<Real> known_first[widest_vector] = {};
+    for (std::size_t lane = 0; lane < lanes<Real>(); ++lane)
+      known_first[lane] = instance_of(begin_ + i + lane) < instance ? ~Word<Real>{0} : Word<Real>{0};
+    return hn::And(is_tie, hn::MaskFromVec(hn::BitCast(Tag<Real>(), hn::Load(WordTag<Real>(), known_first))));
+  }
+
+  /// Of what a ray has hit so far.
+  std::uint64_t instance_of(std::size_t lane) const {
+    if (scene_.needs_instances) return rays_.instance[lane];
+    const Ref ref(static_cast<std::uint32_t>(rays_.ref[lane]));
+    if (ref.kind() == Kind::none) return 0;
+    return label(ref.kind() == Kind::placed ? scene_.placed[ref.index()].shape : ref).instance;
+  }
+
+  const CompiledScene<Real>& scene_;
+  Rays<Real>& rays_;
+  std::size_t begin_, size_;
+  bool knows_starts_;
+  WaitingNodes& waiting_;
+  Statistics& statistics_;
+  std::uint64_t hits_ = 0;
+  bool all_are_hidden_ = false;
+};
+
+}  // namespace plumb::engine::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
