@@ -165,14 +165,14 @@ std::vector<std::string> scene_names(const std::string& directory) {
 
 Image rendered(const Scene& scene, const RegressOptions& options) {
   const RenderRequest& request = scene.renders.front();
-  textbook::RenderJob job;
+  RenderJob job;
   job.width = options.size ? options.size->width : request.width;
   job.height = options.size ? options.size->height : request.height;
   job.options = options.render;
   job.real = options.real;
   job.threads = options.threads;
   job.progress = options.progress;
-  return textbook::render(scene, camera_of(scene, options), job);
+  return render(options.renderer, scene, camera_of(scene, options), job);
 }
 
 std::string non_finite_pixels(const Image& image) {

@@ -132,13 +132,14 @@ class SceneVerifier {
   }
 
   Image ours_of(const Scene& scene, const RenderOptions& render) const {
-    textbook::RenderJob job;
+    RenderJob job;
     job.width = result_.width;
     job.height = result_.height;
     job.options = render;
     job.real = options_.real;
     job.threads = threads_;
-    return options_.render_ours(scene, camera_, job);
+    if (options_.render_ours) return options_.render_ours(scene, camera_, job);
+    return references::render(options_.renderer, scene, camera_, job);
   }
 
   const VerifyOptions& options_;

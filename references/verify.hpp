@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "references/renderer.hpp"
 #include "references/attribution.hpp"
 #include "references/comparison.hpp"
 #include "references/metrics/metrics.hpp"
@@ -35,7 +36,8 @@ struct PictureOptions {
   double tolerance = 1e-6;
   Dialect dialect;
   RenderOptions render;
-  textbook::RealType real = textbook::RealType::float64;
+  RealType real = RealType::float64;
+  Renderer renderer = Renderer::engine;  ///< of our side
   bool keeps_pictures = false;  ///< in the results while they are reported, for a report
 };
 
@@ -45,9 +47,8 @@ struct VerifyOptions : PictureOptions {
   double time_limit_seconds = 600;                    ///< for one run of POV-Ray
   bool terms = false;                                 ///< also compare each term of the shading alone
   std::function<void(const std::string&)> on_notice;  ///< called first, when there is one; may be empty
-  /// What renders our side; another one than the textbook tracer is judged in its place.
-  std::function<Image(const Scene&, const Camera&, const textbook::RenderJob&)> render_ours =
-      &textbook::render;
+  /// Renders our side in place of `renderer`, to be judged; may be empty.
+  std::function<Image(const Scene&, const Camera&, const RenderJob&)> render_ours;
 };
 
 /// One term of the shading alone, on both sides.

@@ -51,6 +51,11 @@ void add_real(CLI::App& app, SceneOptions& options) {
   app.add_option("--real", options.real, "type of real numbers")
       ->check(CLI::IsMember({"float", "double", "long-double"}))
       ->capture_default_str();
+  app.add_option(
+         "--engine", options.engine,
+         "engine: the fast tracer (float and double); textbook: the readable one. Both give one picture")
+      ->check(CLI::IsMember({"textbook", "engine"}))
+      ->capture_default_str();
 }
 
 void add_tolerance(CLI::App& app, double& tolerance) {
@@ -80,9 +85,13 @@ RenderOptions render_options_of(const SceneOptions& options) {
   return render;
 }
 
-textbook::RealType real_of(const SceneOptions& options) {
-  if (options.real == "float") return textbook::RealType::float32;
-  return options.real == "double" ? textbook::RealType::float64 : textbook::RealType::long_double;
+RealType real_of(const SceneOptions& options) {
+  if (options.real == "float") return RealType::float32;
+  return options.real == "double" ? RealType::float64 : RealType::long_double;
+}
+
+references::Renderer renderer_of(const SceneOptions& options) {
+  return options.engine == "textbook" ? references::Renderer::textbook : references::Renderer::engine;
 }
 
 std::optional<references::Size> size_of(const SceneOptions& options) {
@@ -105,8 +114,9 @@ std::optional<references::Size> size_of(const SceneOptions& options) {
 
 references::PictureOptions picture_options(const SceneOptions& options, double tolerance,
                                            bool keeps_pictures) {
-  return {size_of(options),           options.camera,   tolerance,     dialect_of(options),
-          render_options_of(options), real_of(options), keeps_pictures};
+  return {
+      size_of(options), options.camera,       tolerance,     dialect_of(options), render_options_of(options),
+      real_of(options), renderer_of(options), keeps_pictures};
 }
 
 View view_of(const Scene& scene, const SceneOptions& options) {
@@ -126,6 +136,7 @@ std::string picture_arguments(const SceneOptions& options) {
   add("--depth", std::to_string(options.depth), std::to_string(usual.depth));
   add("--glass-shadow", options.glass_shadow, usual.glass_shadow);
   add("--real", options.real, usual.real);
+  add("--engine", options.engine, usual.engine);
   add("--dialect", options.dialect, usual.dialect);
   return text;
 }

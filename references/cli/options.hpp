@@ -19,6 +19,7 @@ struct SceneOptions {
   std::string dialect;
   std::string glass_shadow = "full";
   std::string real = "double";
+  std::string engine = "engine";
   int depth = 8;
 };
 
@@ -30,7 +31,8 @@ void add_real(CLI::App& app, SceneOptions& options);
 
 Dialect dialect_of(const SceneOptions& options);
 RenderOptions render_options_of(const SceneOptions& options);
-textbook::RealType real_of(const SceneOptions& options);
+RealType real_of(const SceneOptions& options);
+references::Renderer renderer_of(const SceneOptions& options);
 std::optional<references::Size> size_of(const SceneOptions& options);
 
 references::PictureOptions picture_options(const SceneOptions& options, double tolerance,

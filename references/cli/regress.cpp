@@ -122,6 +122,7 @@ std::vector<RegressedScene> run(const Options& options, bool table) {
   SceneReport report(options.report, "plumb regress " + options.directory, options.tolerance);
   SceneOptions explained = options.common;  // explain has no --real: it always traces in double
   explained.real = SceneOptions{}.real;
+  explained.engine = SceneOptions{}.engine;
   const auto scenes = references::regress(options.directory, regress, [&](const RegressedScene& scene) {
     ++done;
     progress.clear();

@@ -5,10 +5,11 @@
 #include "references/cli/commands.hpp"
 #include "references/cli/options.hpp"
 #include "references/cli/progress.hpp"
+#include "references/cli/render_statistics.hpp"
+#include "tracer/image/files.hpp"
 #include "tracer/image/io.hpp"
 #include "tracer/scene/lexer.hpp"
 #include "tracer/scene/reader.hpp"
-#include "tracer/textbook/render.hpp"
 
 namespace plumb::cli {
 namespace {
@@ -18,6 +19,8 @@ struct Options {
   std::string image;
   std::string encode;
   int threads = 0;
+  bool prints_statistics = false;
+  std::string statistics_json;
   SceneOptions common;
 };
 
@@ -39,15 +42,31 @@ std::string name_from(const Scene& scene) {
   return name;
 }
 
+void report(const Options& options, const RenderJob& job, RenderStatistics& statistics) {
+  statistics.scene = options.scene;
+  statistics.engine = options.common.engine;
+  statistics.real = options.common.real;
+  statistics.width = job.width;
+  statistics.height = job.height;
+  if (options.prints_statistics) std::fprintf(stderr, "%s", as_text(statistics).c_str());
+  if (options.statistics_json == "-")
+    std::printf("%s", as_json(statistics).c_str());
+  else if (!options.statistics_json.empty())
+    write_file(options.statistics_json, as_json(statistics));
+}
+
 int render(const Options& options) {
+  RenderStatistics statistics;
+  const engine::Stopwatch reading;
   const Scene scene = load_scene(options.scene, dialect_of(options.common), warn);
+  statistics.read = reading.elapsed();
   const View view = view_of(scene, options.common);
   const std::string path = options.image.empty() ? name_from(scene) : options.image;
   const Encoding encoding = encoding_of(options, path);
   if (const auto complaint = complaint_about(path, encoding)) {
     throw std::invalid_argument(in_quotes(path) + ": " + *complaint);
   }
-  textbook::RenderJob job;
+  RenderJob job;
   job.width = view.size.width;
   job.height = view.size.height;
   job.options = render_options_of(options.common);
@@ -55,11 +74,15 @@ int render(const Options& options) {
   job.threads = options.threads;
   Progress progress("rendering " + options.scene);
   job.progress = [&](double fraction) { progress.show(fraction); };
-  const Image image = textbook::render(scene, view.camera, job);
+  const Image image =
+      references::render(renderer_of(options.common), scene, view.camera, job, &statistics.counts);
   progress.clear();
   if (is_of_one_colour(image))
     warn(options.scene + ": warning: nothing is seen: every pixel has the same colour");
+  const engine::Stopwatch writing;
   write_image(path, image, encoding);
+  statistics.write = writing.elapsed();
+  report(options, job, statistics);
   if (options.image.empty()) std::printf("%s\n", path.c_str());
   return exit_agrees;
 }
@@ -81,6 +104,11 @@ Command add_render(CLI::App& plumb) {
          "Default: linear for floats, srgb for png, course for ppm")
       ->check(CLI::IsMember({"linear", "srgb", "course"}));
   app->add_option("--threads", options->threads, "threads; default: all")->check(CLI::Range(1, 1024));
+  app->add_flag(
+      "--stats", options->prints_statistics,
+      "print what was done on standard error: the kernel and why, rays by kind, times, bytes an object");
+  app->add_option("--stats-json", options->statistics_json, "write that as JSON; - is standard output")
+      ->type_name("FILE");
   add_real(*app, options->common);
   add_scene_options(*app, options->common);
   app->footer("Example: plumb render tests/scenes/phong.sdf -o phong.png --size 640x480");

@@ -44,6 +44,7 @@ int run_verify(const Options& options) {
   // The real type is not explain's: it always traces in double.
   SceneOptions explained = options.common;
   explained.real = SceneOptions{}.real;
+  explained.engine = SceneOptions{}.engine;
   const auto report = references::verify(options.scenes, verify_options(options), [&](auto& result) {
     page.add(result, picture_arguments(explained));
     result.pictures.reset();

@@ -1,0 +1,22 @@
+// What a render did, for people and for programs.
+#pragma once
+
+#include <string>
+
+#include "tracer/engine/statistics.hpp"
+
+namespace plumb::cli {
+
+struct RenderStatistics {
+  std::string scene, engine, real;
+  int width = 0, height = 0;
+  engine::Seconds read, write;
+  engine::Statistics counts;
+};
+
+/// Several lines.
+std::string as_text(const RenderStatistics& statistics);
+/// One object, see the README.
+std::string as_json(const RenderStatistics& statistics);
+
+}  // namespace plumb::cli
