@@ -1,3 +1,4 @@
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -19,6 +20,8 @@ struct Options {
   std::string image;
   std::string encode;
   int threads = 0;
+  int samples = 1;
+  std::string pattern;
   bool prints_statistics = false;
   std::string statistics_json;
   SceneOptions common;
@@ -40,6 +43,13 @@ std::string name_from(const Scene& scene) {
                                 "; or name the image with -o");
   }
   return name;
+}
+
+/// A grid when the number is a square.
+SamplePattern pattern_of(const Options& options) {
+  const double edge = std::sqrt(options.samples);
+  if (options.pattern.empty() && edge != std::floor(edge)) return SamplePattern::low_discrepancy;
+  return options.pattern == "low-discrepancy" ? SamplePattern::low_discrepancy : SamplePattern::grid;
 }
 
 void report(const Options& options, const RenderJob& job, RenderStatistics& statistics) {
@@ -72,6 +82,8 @@ int render(const Options& options) {
   job.options = render_options_of(options.common);
   job.real = real_of(options.common);
   job.threads = options.threads;
+  job.samples = options.samples;
+  job.pattern = pattern_of(options);
   Progress progress("rendering " + options.scene);
   job.progress = [&](double fraction) { progress.show(fraction); };
   const Image image =
@@ -104,6 +116,13 @@ Command add_render(CLI::App& plumb) {
          "Default: linear for floats, srgb for png, course for ppm")
       ->check(CLI::IsMember({"linear", "srgb", "course"}));
   app->add_option("--threads", options->threads, "threads; default: all")->check(CLI::Range(1, 1024));
+  app->add_option("--samples", options->samples, "samples of a pixel, averaged; one is the pixel's centre")
+      ->type_name("N")
+      ->check(CLI::Range(1, 65536))
+      ->capture_default_str();
+  app->add_option("--pattern", options->pattern,
+                  "where they lie: grid, a square number; low-discrepancy, any number. Default: what fits")
+      ->check(CLI::IsMember({"grid", "low-discrepancy"}));
   app->add_flag(
       "--stats", options->prints_statistics,
       "print what was done on standard error: the kernel and why, rays by kind, times, bytes an object");

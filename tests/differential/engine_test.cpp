@@ -9,6 +9,7 @@
 #include "tests/support/random_scene.hpp"
 #include "tests/support/run.hpp"
 #include "tracer/engine/render.hpp"
+#include "tracer/engine/samples.hpp"
 #include "tracer/scene/reader.hpp"
 #include "tracer/textbook/render.hpp"
 
@@ -118,6 +119,61 @@ TEST(Engine, ThePictureDoesNotDependOnWhatIsTracedTogether) {
           << "seed " << seed;
     }
   }
+}
+
+/// The grid of 3 x 3 samples are the pixel centres of a picture three times as large.
+TEST(Engine, AGridOfSamplesIsALargerPictureAveraged) {
+  const RandomScene random = random_scene(7);
+  const Camera& camera = random.scene.cameras.front();
+  RenderJob job = small(random.options);
+  job.samples = 9;
+  const Image sampled = engine::render(random.scene, camera, job);
+  job.samples = 1;
+  job.width *= 3;
+  job.height *= 3;
+  const Image large = textbook::render(random.scene, camera, job);
+  for (int y = 0; y < sampled.height; ++y) {
+    for (int x = 0; x < sampled.width; ++x) {
+      for (int c = 0; c < 3; ++c) {
+        double sum = 0;
+        for (int k = 0; k < 9; ++k) sum += static_cast<double>(large.pixel(3 * x + k % 3, 3 * y + k / 3)[c]);
+        // The larger picture is of float32: nine roundings of values below 4.
+        ASSERT_NEAR(sampled.pixel(x, y)[c], sum / 9, 1e-6) << x << " " << y;
+      }
+    }
+  }
+}
+
+TEST(Engine, EveryPatternFillsThePixelEvenlyAndOneSampleIsItsCentre) {
+  for (const SamplePattern pattern : {SamplePattern::grid, SamplePattern::low_discrepancy}) {
+    const auto one = engine::sample_points(1, pattern);
+    EXPECT_EQ(one.front().x, 0.5);
+    EXPECT_EQ(one.front().y, 0.5);
+    for (const int count : {4, 16, 25, 100}) {
+      const auto points = engine::sample_points(count, pattern);
+      ASSERT_EQ(points.size(), static_cast<std::size_t>(count));
+      // A box anchored at the corner holds its share of the points, but for a few: the star discrepancy of
+      // Hammersley's points is below (log2 n + 2) / n, a grid's below 2 / sqrt n.
+      const double bound =
+          pattern == SamplePattern::grid ? 2 / std::sqrt(count) : (std::log2(count) + 2) / count;
+      for (int i = 1; i <= 20; ++i) {
+        for (int j = 1; j <= 20; ++j) {
+          const double x = 0.05 * i, y = 0.05 * j;
+          int inside = 0;
+          for (const auto& point : points) inside += point.x < x && point.y < y ? 1 : 0;
+          ASSERT_NEAR(inside / static_cast<double>(count), x * y, bound) << count << ": " << x << " " << y;
+        }
+      }
+    }
+  }
+  EXPECT_THROW(engine::sample_points(5, SamplePattern::grid), std::invalid_argument);
+}
+
+TEST(Engine, TheTextbookTracerRefusesSamples) {
+  const RandomScene random = random_scene(1);
+  RenderJob job = small(random.options);
+  job.samples = 4;
+  EXPECT_THROW(textbook::render(random.scene, random.scene.cameras.front(), job), std::invalid_argument);
 }
 
 }  // namespace

@@ -64,18 +64,22 @@ class Shader final : public TileRenderer<Real> {
   }
 
   void render(const Tile& tile, float* rgb) override {
-    const std::size_t size = start_tile(tile);
-    statistics_.camera_rays += size;
     Level<Real>& level = level_at(0);
-    level.size = size;
-    trace(0);
-    for (std::size_t i = 0; i < size; ++i) {
-      float* const pixel = rgb + 3 * level.parent[i];
-      pixel[0] = static_cast<float>(level.colour.x[i]);
-      pixel[1] = static_cast<float>(level.colour.y[i]);
-      pixel[2] = static_cast<float>(level.colour.z[i]);
+    for (const SamplePoint& sample : view_.samples) {
+      level.size = start_tile(tile, sample);
+      statistics_.camera_rays += level.size;
+      trace(0);
+      interiors_.shrink(view_.around_the_eye.size());
+      if (view_.samples.size() > 1) add_sample(level, &sample == &view_.samples.front());
     }
-    interiors_.shrink(view_.around_the_eye.size());
+    const Lanes3<Real>& colour = view_.samples.size() > 1 ? sum_ : level.colour;
+    const Real count = static_cast<Real>(view_.samples.size());
+    for (std::size_t i = 0; i < level.size; ++i) {
+      float* const pixel = rgb + 3 * level.parent[i];
+      pixel[0] = static_cast<float>(colour.x[i] / count);
+      pixel[1] = static_cast<float>(colour.y[i] / count);
+      pixel[2] = static_cast<float>(colour.z[i] / count);
+    }
   }
   const Statistics& statistics() const override { return statistics_; }
 
@@ -85,19 +89,39 @@ class Shader final : public TileRenderer<Real> {
     return *levels_[index];
   }
 
-  /// Slide "Kameramodell": one ray through each pixel centre. Neighbours in the stream are neighbours in the
-  /// picture: every 8 rays, 16, 64 are a block. The parent of a camera ray is its pixel in the tile.
-  std::size_t start_tile(const Tile& tile) {
+  void add_sample(const Level<Real>& level, bool is_first) {
+    for (std::size_t i = 0; i < level.size; i += lanes<Real>()) {
+      const V3<Real> colour = load3(level.colour, i);
+      store3<Real>(is_first ? colour : add<Real>(load3(sum_, i), colour), sum_, i);
+    }
+  }
+
+  /// Slide "Kameramodell", formulas::image_plane_point for any point of a pixel.
+  static Real plane_x(int x, Real sample, Real width) {
+    return (static_cast<Real>(x) + sample) / width - Real(0.5);
+  }
+  static Real plane_y(int y, Real sample, Real width, Real height) {
+    const Real up = ((height - 1) - (static_cast<Real>(y) + (sample - 1))) / height - Real(0.5);
+    return up * (height / width);
+  }
+
+  /// One ray through each pixel, at the same place in all of them. Neighbours in the stream are neighbours in
+  /// the picture: every 8 rays, 16, 64 are a block. The parent of a camera ray is its pixel in the tile.
+  std::size_t start_tile(const Tile& tile, const SamplePoint& sample) {
     Level<Real>& level = level_at(0);
     Rays<Real>& rays = level.rays;
     const bool is_whole = tile.width == tile_edge && tile.height == tile_edge;
-    const Real* const plane_x = &view_.plane_x[static_cast<std::size_t>(tile.x)];
-    const Real* const plane_y = &view_.plane_y[static_cast<std::size_t>(tile.y)];
+    const Real width = static_cast<Real>(view_.width), height = static_cast<Real>(view_.height);
+    std::array<Real, tile_edge> xs, ys;
+    for (int k = 0; k < tile_edge; ++k) {
+      xs[static_cast<std::size_t>(k)] = plane_x(tile.x + k, static_cast<Real>(sample.x), width);
+      ys[static_cast<std::size_t>(k)] = plane_y(tile.y + k, static_cast<Real>(sample.y), width, height);
+    }
     std::size_t size = 0;
     for (const TilePixel& pixel : tile_pixels) {
       if (!is_whole && (pixel.x >= tile.width || pixel.y >= tile.height)) continue;
-      rays.direction.x[size] = plane_x[pixel.x];
-      rays.direction.y[size] = plane_y[pixel.y];
+      rays.direction.x[size] = xs[pixel.x];
+      rays.direction.y[size] = ys[pixel.y];
       level.parent[size] = static_cast<std::uint32_t>(pixel.y * tile.width + pixel.x);
       ++size;
     }
@@ -533,6 +557,7 @@ class Shader final : public TileRenderer<Real> {
   const double width_limit_;
   std::vector<std::unique_ptr<Level<Real>>> levels_;
   ShadowRays<Real> shadow_;
+  Lanes3<Real> sum_;    ///< of the samples of a tile
   Lanes3<Real> delta_;  ///< of lights seen through glass
   Interiors<Real> interiors_;
   std::int32_t around_the_eye_ = Interiors<Real>::nothing;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tracer/engine/compiled_scene.hpp"
+#include "tracer/engine/samples.hpp"
 #include "tracer/engine/statistics.hpp"
 #include "tracer/scene/dielectrics.hpp"
 #include "tracer/scene/render_options.hpp"
@@ -18,7 +19,8 @@ inline constexpr int tile_edge = 16;
 template <class Real>
 struct View {
   Vec3<Real> eye, right, up, forward;
-  std::vector<Real> plane_x, plane_y;  ///< of pixel centres, per column and row, on the image plane
+  int width, height;  ///< of the picture
+  std::vector<SamplePoint> samples;
   std::vector<EnclosingDielectric> around_the_eye;
   RenderOptions options;
 };

@@ -1,5 +1,8 @@
 #include "tracer/textbook/render.hpp"
 
+#include <stdexcept>
+#include <string>
+
 #include "tracer/textbook/rows.hpp"
 #include "tracer/textbook/tracer.hpp"
 
@@ -16,6 +19,9 @@ Image render_in(const Scene& scene, const Camera& camera, const RenderJob& job) 
 }  // namespace
 
 Image render(const Scene& scene, const Camera& camera, const RenderJob& job) {
+  if (job.samples != 1)
+    throw std::invalid_argument("found " + std::to_string(job.samples) +
+                                " samples a pixel, expected 1: the textbook tracer takes the pixel's centre");
   switch (job.real) {
     case RealType::float32:
       return render_in<float>(scene, camera, job);

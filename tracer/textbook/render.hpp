@@ -11,7 +11,8 @@ using plumb::RealType;
 using plumb::RenderJob;
 
 /// Linear colours, one sample through each pixel centre; the same for every number of threads. Expects a
-/// scene as read_scene returns it without errors. Throws std::runtime_error on a scene that cannot be traced.
+/// scene as read_scene returns it without errors. Throws std::runtime_error on a scene that cannot be
+/// traced, and std::invalid_argument when more samples are asked for.
 Image render(const Scene& scene, const Camera& camera, const RenderJob& job);
 
 }  // namespace plumb::textbook
