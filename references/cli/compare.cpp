@@ -1,6 +1,7 @@
 #include <cstdio>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "references/cli/commands.hpp"
 #include "references/cli/compare_report.hpp"
@@ -90,8 +91,8 @@ Json json_of(const Options& options, const PixelRows& test, const Findings& find
 }
 
 int run_compare(const Options& options) {
-  const PixelRows reference = open_image(options.reference);
-  const PixelRows test = open_image(options.test);
+  PixelRows reference = open_image(options.reference);
+  PixelRows test = open_image(options.test);
   refuse_if_unlike(options, reference, test);
   Findings findings{references::compare(reference, test, options.tolerance), {}, {}};
   const references::Comparison& c = findings.comparison;
@@ -100,10 +101,9 @@ int run_compare(const Options& options) {
   if (options.json != "-") print(findings);
   if (!options.json.empty()) write_json(options.json, json_of(options, test, findings));
   if (!options.report.empty()) {
-    const ImageFile r = image_of(reference);
-    const ImageFile t = image_of(test);
-    write_compare_report(options.report, {options.reference, r}, {options.test, t}, options.tolerance,
-                         json_of(options, test, findings));
+    const Json json = json_of(options, test, findings);
+    write_compare_report(options.report, {options.reference, std::move(reference)},
+                         {options.test, std::move(test)}, options.tolerance, json);
   }
   return c.agrees() ? exit_agrees : exit_differs;
 }

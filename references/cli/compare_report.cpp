@@ -1,6 +1,7 @@
 #include "references/cli/compare_report.hpp"
 
 #include <memory>
+#include <utility>
 
 #include "references/cli/options.hpp"
 #include "references/report/report_writer.hpp"
@@ -9,11 +10,15 @@ namespace plumb::cli {
 namespace {
 
 /// r g b; grey thrice for one or two channels, and what follows the colours dropped.
-std::shared_ptr<const Image> shown(const ImageFile& file) {
-  auto image = std::make_shared<Image>(file.width, file.height);
-  const auto channels = static_cast<std::size_t>(file.channels);
-  for (std::size_t i = 0; i < image->rgb.size(); ++i) {
-    image->rgb[i] = file.values[i / 3 * channels + (channels < 3 ? 0 : i % 3)];
+/// The rows are given back: large files are not held twice.
+std::shared_ptr<const Image> shown(PixelRows rows) {
+  auto image = std::make_shared<Image>(rows.width, rows.height);
+  const auto channels = static_cast<std::size_t>(rows.channels), width = static_cast<std::size_t>(rows.width);
+  std::vector<float> row(rows.row_values());
+  for (int y = 0; y < rows.height; ++y) {
+    rows.copy_row(y, row.data());
+    float* const to = image->pixel(0, y);
+    for (std::size_t i = 0; i < 3 * width; ++i) to[i] = row[i / 3 * channels + (channels < 3 ? 0 : i % 3)];
   }
   return image;
 }
@@ -29,20 +34,19 @@ std::string remark(int channels) {
 
 }  // namespace
 
-void write_compare_report(const std::string& directory, const NamedImage& reference, const NamedImage& test,
+void write_compare_report(const std::string& directory, NamedImage reference, NamedImage test,
                           double tolerance, const Json& result) {
   references::ReportEntry entry;
   entry.name = test.path;
   entry.result = result;
-  entry.reference = shown(reference.file);
-  entry.test = shown(test.file);
-  if (const std::string said = remark(test.file.channels); !said.empty()) {
+  const std::string said = remark(test.rows.channels);
+  entry.reference = shown(std::move(reference.rows));
+  entry.test = shown(std::move(test.rows));
+  if (!said.empty()) {
     entry.result["message"] = said;
     warn("report: " + said);
   }
-  for (const auto& place : references::pixels_over(*entry.reference, *entry.test, tolerance)) {
-    entry.notes.push_back({place.x, place.y, "over", ""});
-  }
+  entry.tolerance = tolerance;
   references::ReportWriter writer(directory, "plumb compare: " + test.path, "against " + reference.path);
   writer.add(entry);
   writer.finish();

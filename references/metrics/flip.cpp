@@ -11,9 +11,11 @@
 namespace plumb::references {
 namespace {
 
+/// Finite: the weights' sum may be rounded above 1.
 float luminance(const float* pixel, int channels) {
   if (channels < 3) return pixel[0];
-  return 0.2126F * pixel[0] + 0.7152F * pixel[1] + 0.0722F * pixel[2];
+  constexpr float most = std::numeric_limits<float>::max();
+  return std::clamp(0.2126F * pixel[0] + 0.7152F * pixel[1] + 0.0722F * pixel[2], -most, most);
 }
 
 /// The light that the tone curve maps to 0.85: the positive root of (a0 - 0.85 b0) x^2 + (a1 - 0.85 b1) x -
@@ -53,9 +55,10 @@ Exposures flip_exposures(const PictureView& reference) {
   for (std::size_t i = 0; i < values.size(); ++i)
     values[i] = luminance(reference.pixel(i), reference.channels);
   const double largest = *std::max_element(values.begin(), values.end());
-  if (!(largest > 0)) return {};
+  constexpr double least = std::numeric_limits<float>::epsilon();
+  if (!(largest > least)) return {};
   const double light = light_of_0_85();
-  const double middle = std::max<double>(median(values), std::numeric_limits<float>::epsilon());
+  const double middle = std::max(median(values), least);
   Exposures exposures{std::log2(light / largest), std::log2(light / middle), 0};
   exposures.count = std::max(2, static_cast<int>(std::ceil(exposures.stop - exposures.start)));
   return exposures;

@@ -24,7 +24,7 @@ enum class ColourSpace {
 struct Exposures {
   double start = 0;  ///< the brightest pixel reaches 0.85
   double stop = 0;   ///< the median pixel reaches 0.85
-  int count = 1;     ///< at least 2, whole stops apart at most; 1 for a black reference
+  int count = 1;     ///< at least 2, whole stops apart at most; 1, of 0 stops, for a black reference
 };
 
 struct Flip {
@@ -34,7 +34,8 @@ struct Flip {
 };
 
 /// The largest and the median luminance of the reference decide; a median below 2^-23 counts as
-/// 2^-23.
+/// 2^-23, and a reference without any pixel above that counts as black: the range of exposures is the paper's
+/// only as long as the largest is not below the median, and float32 holds no factor that would show less.
 Exposures flip_exposures(const PictureView& reference);
 
 /// FLIP of every pixel, row by row; for linear colours the largest over all exposures (2021, section 3.1).

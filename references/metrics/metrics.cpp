@@ -10,7 +10,7 @@ namespace {
 
 /// Sums over the pixels that are finite on both sides.
 struct Sums {
-  std::vector<float> worst;  // of each pixel's components
+  std::vector<double> worst;  // of each pixel's components
   std::vector<double> signed_sum;
   double squares = 0;
   double peak = 1;
@@ -29,7 +29,7 @@ void add(Sums& sums, const float* r, const float* t) {
     worst = std::max(worst, std::abs(difference));
     sums.peak = std::max<double>(sums.peak, std::max(std::abs(r[c]), std::abs(t[c])));
   }
-  sums.worst.push_back(static_cast<float>(worst));
+  sums.worst.push_back(worst);
 }
 
 Sums sums_of(const PictureView& reference, const PictureView& test) {
@@ -45,7 +45,7 @@ Sums sums_of(const PictureView& reference, const PictureView& test) {
 }
 
 /// Reorders the values; there is at least one.
-double percentile(std::vector<float>& values, std::size_t permille) {
+double percentile(std::vector<double>& values, std::size_t permille) {
   const std::size_t rank = (values.size() * permille + 999) / 1000;
   const auto at = values.begin() + static_cast<std::ptrdiff_t>(rank) - 1;
   std::nth_element(values.begin(), at, values.end());

@@ -5,28 +5,30 @@
 #include <cstdint>
 #include <stdexcept>
 
+#include "references/comparison.hpp"
+
 namespace plumb::references {
 namespace {
 
-using Bits = std::vector<std::uint32_t>;
+std::uint32_t bits(float value) { return std::bit_cast<std::uint32_t>(value); }
 
-void append_shuffled(std::string& bytes, const Bits& values) {
+/// `bits_of` gives the bits of value i; a large picture is not held once more for them.
+template <typename BitsOf>
+void append_shuffled(std::string& bytes, std::size_t values, BitsOf bits_of) {
   std::size_t at = bytes.size();
-  bytes.resize(at + 4 * values.size());
+  bytes.resize(at + 4 * values);
   for (std::size_t channel = 0; channel < 3; ++channel) {
     for (unsigned shift = 0; shift < 32; shift += 8) {
-      for (std::size_t i = channel; i < values.size(); i += 3) {
-        bytes[at++] = static_cast<char>(values[i] >> shift & 0xff);
+      for (std::size_t i = channel; i < values; i += 3) {
+        bytes[at++] = static_cast<char>(bits_of(i) >> shift & 0xff);
       }
     }
   }
 }
 
-Bits bits_of(const Image& image) {
-  Bits bits(image.rgb.size());
-  std::transform(image.rgb.begin(), image.rgb.end(), bits.begin(),
-                 [](float value) { return std::bit_cast<std::uint32_t>(value); });
-  return bits;
+bool is_over(const ReportEntry& entry, std::size_t pixel) {
+  return !is_within(entry.reference->rgb.data() + 3 * pixel, entry.test->rgb.data() + 3 * pixel,
+                    *entry.tolerance);
 }
 
 void check(const ReportEntry& entry) {
@@ -47,13 +49,15 @@ void check(const ReportEntry& entry) {
 }
 
 void append_notes(std::string& bytes, const ReportEntry& entry) {
-  const std::vector<std::string> causes = causes_of(entry.notes);
+  const std::vector<std::string> causes = causes_of(entry);
   if (causes.size() > 255) {
     throw std::invalid_argument(entry.name + ": found " + std::to_string(causes.size()) +
                                 " causes, expected at most 255");
   }
   const std::size_t start = bytes.size();
-  bytes.append(entry.test->rgb.size() / 3, '\0');
+  const std::size_t pixels = entry.test->rgb.size() / 3;
+  bytes.append(pixels, '\0');
+  for (std::size_t i = 0; entry.tolerance && i < pixels; ++i) bytes[start + i] = is_over(entry, i) ? 1 : 0;
   nlohmann::json texts = nlohmann::json::object();  // sorted: an ordered one searches all its keys each time
   for (const PixelNote& note : entry.notes) {
     const std::size_t pixel = entry.test->offset(note.x, note.y) / 3;
@@ -66,9 +70,12 @@ void append_notes(std::string& bytes, const ReportEntry& entry) {
 
 }  // namespace
 
-std::vector<std::string> causes_of(const std::vector<PixelNote>& notes) {
+std::vector<std::string> causes_of(const ReportEntry& entry) {
   std::vector<std::string> causes;
-  for (const PixelNote& note : notes) {
+  const std::size_t pixels = entry.tolerance ? entry.test->rgb.size() / 3 : 0;
+  for (std::size_t i = 0; i < pixels && causes.empty(); ++i)
+    if (is_over(entry, i)) causes.push_back("over");
+  for (const PixelNote& note : entry.notes) {
     if (std::find(causes.begin(), causes.end(), note.cause) == causes.end()) causes.push_back(note.cause);
   }
   return causes;
@@ -76,13 +83,12 @@ std::vector<std::string> causes_of(const std::vector<PixelNote>& notes) {
 
 std::string picture_bytes(const ReportEntry& entry) {
   check(entry);
-  const Bits reference = bits_of(*entry.reference);
-  Bits difference = bits_of(*entry.test);
-  for (std::size_t i = 0; i < difference.size(); ++i) difference[i] ^= reference[i];
+  const std::vector<float>&reference = entry.reference->rgb, &test = entry.test->rgb;
   std::string bytes;
-  bytes.reserve(9 * reference.size());
-  append_shuffled(bytes, reference);
-  append_shuffled(bytes, difference);
+  constexpr std::size_t bytes_of_pixel = 2 * 3 * sizeof(float) + 1;
+  bytes.reserve(bytes_of_pixel * (reference.size() / 3) + 2);
+  append_shuffled(bytes, reference.size(), [&](std::size_t i) { return bits(reference[i]); });
+  append_shuffled(bytes, test.size(), [&](std::size_t i) { return bits(test[i]) ^ bits(reference[i]); });
   append_notes(bytes, entry);
   return bytes;
 }

@@ -9,7 +9,7 @@
 namespace plumb::references {
 
 /// Causes in the order of their first pixel; pixels name them by their place in this list, counted from 1.
-std::vector<std::string> causes_of(const std::vector<PixelNote>& notes);
+std::vector<std::string> causes_of(const ReportEntry& entry);
 
 /// Every bit of both pictures, then the causes, then the texts:
 /// - the reference, then the test picture XOR the reference (equal pixels become zeros); of each, for the

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,8 +24,9 @@ struct ReportEntry {
   nlohmann::ordered_json result;                 ///< the scene's object of --json; any key may be absent
   std::shared_ptr<const Image> reference, test;  ///< of one size; both null for a scene in trouble
   std::vector<PixelNote> notes;                  ///< pixels over the tolerance
-  std::string explain_command;  ///< " X Y" is added, e.g. "plumb explain scene.sdf"; may be empty
-  std::string approve_command;  ///< makes this picture the baseline; may be empty
+  std::optional<double> tolerance;  ///< marks every pixel over it "over"; for pictures without notes
+  std::string explain_command;      ///< " X Y" is added, e.g. "plumb explain scene.sdf"; may be empty
+  std::string approve_command;      ///< makes this picture the baseline; may be empty
 };
 
 }  // namespace plumb::references

@@ -56,7 +56,7 @@ std::string data_url(const std::string& png) { return "data:image/png;base64," +
 Json json_of(const ReportEntry& entry) {
   Json json{{"name", entry.name},
             {"result", entry.result},
-            {"causes", causes_of(entry.notes)},
+            {"causes", causes_of(entry)},
             {"explain", entry.explain_command},
             {"approve", entry.approve_command}};
   if (!entry.reference || !entry.test) return json;
@@ -82,7 +82,8 @@ ReportWriter::ReportWriter(std::string directory, std::string title, std::string
 void ReportWriter::add(const ReportEntry& entry) {
   Picture picture;
   if (entry.reference && entry.test) {
-    picture.text = base64(deflated(picture_bytes(entry)));
+    const std::string packed = deflated(picture_bytes(entry));
+    picture.text = base64(packed);
     picture.id = sha256(picture.text).substr(0, hash_size);
   }
   Json json = json_of(entry);

@@ -269,7 +269,7 @@ struct Accident {
 };
 void PrintTo(const Accident& accident, std::ostream* out) { *out << accident.name; }
 
-constexpr int wide = 24;
+constexpr int wide = 70;  // more than the 64 that causes are tried out on at once
 constexpr int high = 18;
 
 /// Linear colours below and above 1, no two pixels alike.

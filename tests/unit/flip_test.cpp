@@ -250,6 +250,24 @@ TEST(HdrFlip, ABlackReferenceIsJudgedAsItIs) {
   EXPECT_GT(references::flip(black.view(), grey.view(), ColourSpace::linear).mean, 0.5);
 }
 
+/// Denormals, and the values around the least that counts: the range is in order, nothing is NaN.
+TEST(HdrFlip, TinyAndHugeReferencesHaveAnOrderedRange) {
+  for (const float value : {1e-45F, 1e-38F, 1e-30F, 1e-8F, 0x1p-23F, 1.3e-7F, 1e-6F, 1e38F, 3.4028234e38F}) {
+    Picture p = uniform(4, 4, glm::vec3(0));
+    for (std::size_t c = 0; c < 3; ++c) p.values[c] = value;
+    for (const Picture& reference : {p, uniform(4, 4, glm::vec3(value))}) {
+      SCOPED_TRACE(value);
+      const references::Exposures e = references::flip_exposures(reference.view());
+      EXPECT_LE(e.start, e.stop);
+      EXPECT_LE(e.count, 152) << "from 2^-23 to 2^128, and the ends";
+      const Picture grey = uniform(4, 4, glm::vec3(0.5F));
+      const references::Flip f = references::flip(reference.view(), grey.view(), ColourSpace::linear);
+      EXPECT_GE(f.mean, 0);
+      EXPECT_LE(f.max, 1);
+    }
+  }
+}
+
 TEST(HdrFlip, ItIsTheLargestOverTheExposures) {
   const Picture r = blocks(29, 19, 5, 6), t = blocks(29, 19, 6, 6);
   const references::Exposures e = references::flip_exposures(r.view());

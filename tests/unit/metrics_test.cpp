@@ -51,6 +51,12 @@ TEST(Metrics, PercentilesAreNearestRanksOfTheLargestDifferenceOfAPixel) {
   EXPECT_EQ(m.percentiles[3], 999);
 }
 
+TEST(Metrics, PercentilesAreNotRounded) {
+  // 1 - 2^-30 has more bits than a float.
+  const Metrics m = metrics_of(1, {std::ldexp(1.0F, -30)}, {1});
+  EXPECT_EQ(m.percentiles[0], 1 - std::ldexp(1.0, -30));
+}
+
 TEST(Metrics, WhatIsNotFiniteEntersNoFigure) {
   constexpr float nan = std::numeric_limits<float>::quiet_NaN();
   constexpr float infinity = std::numeric_limits<float>::infinity();

@@ -98,6 +98,19 @@ TEST(ReportPicture, EveryBitComesBack) {
   EXPECT_EQ(Json::parse(bytes.substr(50)), (Json{{"1", "why"}}));
 }
 
+TEST(ReportPicture, AToleranceMarksPixelsWithoutANoteEach) {
+  ReportEntry entry = small_entry();
+  entry.notes.clear();
+  entry.reference = image(2, 1, {0, 0, 0, 0, 0, 0});
+  entry.test = image(2, 1, {0, 0, 0, 0, 0.5F, 0});
+  entry.tolerance = 0.25;
+  EXPECT_EQ(picture_bytes(entry).substr(48), (std::string{0, 1} + "{}"));
+  EXPECT_EQ(causes_of(entry), std::vector<std::string>{"over"});
+  entry.tolerance = 0.5;
+  EXPECT_EQ(picture_bytes(entry).substr(48), (std::string{0, 0} + "{}"));
+  EXPECT_TRUE(causes_of(entry).empty());
+}
+
 TEST(ReportPicture, EqualPicturesCostNextToNothing) {
   ReportEntry entry = small_entry();
   auto noise = std::make_shared<Image>(200, 100);

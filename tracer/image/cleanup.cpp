@@ -10,6 +10,7 @@
 #include <csignal>
 #include <cstring>
 #include <mutex>
+#include <string_view>
 
 namespace plumb {
 namespace {
@@ -46,23 +47,41 @@ bool is_ours(const char* path) {
   ::_exit(1);
 }
 
-void on_signal(int number) {
+void remove_all() {
   const pid_t child = ::_Fork();  // unlike fork() safe in a handler
   if (child == 0) become_rm();
   int status = 0;
   while (child > 0 && ::waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
+}
+
+/// Which file it was is not known here: what is at the address may be given back at the same time.
+[[noreturn]] void on_cut_file(int) {
+  remove_all();
+  constexpr std::string_view said =
+      "plumb: an image file was cut short by somebody else while it was read, expected it to stay as it is; "
+      "run again when it is whole\n";
+  static_cast<void>(!::write(STDERR_FILENO, said.data(), said.size()));
+  ::_exit(2);
+}
+
+void on_signal(int number) {
+  remove_all();
   ::signal(number, SIG_DFL);
   ::raise(number);  // acts when the handler returns
+}
+
+void install(int number, void (*handler)(int)) {
+  struct sigaction action {};
+  action.sa_handler = handler;
+  ::sigaction(number, &action, nullptr);
 }
 
 void install_handlers() {
   for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
     struct sigaction old {};
     if (::sigaction(number, nullptr, &old) == 0 && old.sa_handler != SIG_DFL) continue;  // as under nohup
-    struct sigaction action {};
-    action.sa_handler = &on_signal;
-    ::sigaction(number, &action, nullptr);
+    install(number, &on_signal);
   }
 }
 
@@ -80,6 +99,8 @@ Slot* slot_for(const std::string& path) {
 }
 
 }  // namespace
+
+void expect_cut_files() { install(SIGBUS, &on_cut_file); }
 
 RemovedOnSignal::RemovedOnSignal(const std::string& path) {
   static std::once_flag installed;

@@ -121,7 +121,7 @@ PixelRows open_image(const std::string& path) {
   if (is_of_codecs(extension)) {
     const auto open = reinterpret_cast<codecs::Open>(module_symbol(codecs::module_name, codecs::open_symbol));
     PixelRows rows;
-    if (open(path, rows)) return rows;
+    if (open({path, std::make_shared<const MappedFile>(path)}, rows)) return rows;
   }
   return rows_of(read_through_oiio(path));
 }

@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "tracer/image/cleanup.hpp"
 #include "tracer/image/files.hpp"
 
 namespace plumb {
@@ -17,6 +18,7 @@ MappedFile::MappedFile(const std::string& path) {
     const auto size = static_cast<std::size_t>(info.st_size);
     // Populated at once: one fault for each page would cost more than reading it.
     mapped = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE | MAP_POPULATE, file, 0);
+    expect_cut_files();
     if (mapped != MAP_FAILED) bytes_ = {static_cast<const char*>(mapped), size};
   }
   if (file >= 0) ::close(file);

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "tracer/image/codecs/codecs.hpp"
-#include "tracer/image/mapped_file.hpp"
+#include "tracer/image/codecs/damage.hpp"
 
 namespace plumb::codecs {
 namespace {
@@ -84,7 +84,7 @@ class Exr {
 };
 
 /// Lines that lie in the file as far apart as any two.
-bool in_place(const Exr& exr, const std::string& path, PixelRows& rows) {
+bool in_place(const Exr& exr, const Source& source, PixelRows& rows) {
   exr_chunk_info_t first{}, other{};
   if (!exr.chunk(0, first)) return false;
   const auto line = static_cast<std::uint64_t>(rows.stride);
@@ -94,12 +94,11 @@ bool in_place(const Exr& exr, const std::string& path, PixelRows& rows) {
         other.data_offset != first.data_offset + static_cast<std::uint64_t>(y) * (line + chunk_head))
       return false;
   }
-  const auto mapped = std::make_shared<const MappedFile>(path);
-  const std::uint64_t size = mapped->bytes().size();
+  const std::uint64_t size = source.file->bytes().size();
   if (line > size || first.data_offset > other.data_offset || other.data_offset > size - line) return false;
-  rows.top = reinterpret_cast<const std::byte*>(mapped->bytes().data()) + first.data_offset;
+  rows.top = reinterpret_cast<const std::byte*>(source.file->bytes().data()) + first.data_offset;
   rows.stride = static_cast<std::ptrdiff_t>(line + chunk_head);
-  rows.owner = mapped;
+  rows.owner = source.file;
   return true;
 }
 
@@ -119,7 +118,11 @@ struct Free {
   void operator()(libdeflate_decompressor* d) const { libdeflate_free_decompressor(d); }
 };
 
-bool inflated(const Exr& exr, PixelRows& rows) {
+[[noreturn]] void refuse(const Source& source, int y) {
+  refuse_damaged(source.path, "found no whole picture row " + std::to_string(y) + " where the header says");
+}
+
+void inflate(const Exr& exr, const Source& source, PixelRows& rows) {
   const auto line = static_cast<std::size_t>(rows.stride);
   const std::shared_ptr<std::byte[]> pixels(new std::byte[line * static_cast<std::size_t>(rows.height)]);
   const std::unique_ptr<libdeflate_decompressor, Free> inflater(libdeflate_alloc_decompressor());
@@ -127,7 +130,7 @@ bool inflated(const Exr& exr, PixelRows& rows) {
   std::vector<std::uint8_t> bytes;
   for (int y = 0; y < rows.height; y += exr.lines()) {
     exr_chunk_info_t info{};
-    if (!exr.chunk(y, info) || !exr.read(info, packed)) return false;
+    if (!exr.chunk(y, info) || !exr.read(info, packed)) refuse(source, y);
     const auto size = line * static_cast<std::size_t>(std::min(exr.lines(), rows.height - y));
     std::byte* const out = pixels.get() + line * static_cast<std::size_t>(y);
     bytes.resize(size);
@@ -137,23 +140,23 @@ bool inflated(const Exr& exr, PixelRows& rows) {
     }
     if (libdeflate_zlib_decompress(inflater.get(), packed.data(), packed.size(), bytes.data(), size,
                                    nullptr) != LIBDEFLATE_SUCCESS)
-      return false;
+      refuse(source, y);
     undo_prediction(bytes, out);
   }
   rows.top = pixels.get();
   rows.owner = pixels;
-  return true;
 }
 
 }  // namespace
 
-bool open_exr(const std::string& path, PixelRows& rows) {
-  Exr exr(path);
+bool open_exr(const Source& source, PixelRows& rows) {
+  Exr exr(source.path);
   PixelRows found;
   if (!exr.describe(found)) return false;
   const exr_compression_t kind = exr.compression();
-  const bool is_zip = kind == EXR_COMPRESSION_ZIP || kind == EXR_COMPRESSION_ZIPS;
-  if (kind == EXR_COMPRESSION_NONE ? !in_place(exr, path, found) : !is_zip || !inflated(exr, found))
+  if (kind == EXR_COMPRESSION_ZIP || kind == EXR_COMPRESSION_ZIPS)
+    inflate(exr, source, found);
+  else if (kind != EXR_COMPRESSION_NONE || !in_place(exr, source, found))
     return false;
   rows = std::move(found);
   return true;

@@ -1,5 +1,7 @@
 #include "tracer/image/codecs/png_filters.hpp"
 
+#include <emmintrin.h>
+
 #include <algorithm>
 #include <cstring>
 #include <vector>
@@ -9,76 +11,121 @@ namespace {
 
 using Byte = std::uint8_t;
 
-/// PNG, section 9.4: that of the three which is nearest to left + up - corner. That is the smaller, the
-/// corner or the larger one; asked so, there is nothing to branch on.
-int paeth(int left, int up, int corner) {
-  const int low = std::min(left, up), high = std::max(left, up), beyond = 3 * corner - left - up;
-  const int inner = high <= beyond ? low : corner;
-  return beyond <= low ? high : inner;
-}
-
-/// Some bytes of a filtered row and the same of the row above; the pixel before both of them, 0 at the edge.
-template <std::size_t step>
-struct Place {
-  Byte* row;
-  const Byte* up;
-  int left[step] = {};
-  int corner[step] = {};
-};
-
+/// For the filters that add the left pixel (2) or its mean with the upper one (3); 0 before the first.
 template <std::size_t step, class Predict>
-void undo_pixels(Place<step>& at, std::size_t size, Predict predict) {
-  for (const Byte* const end = at.row + size; at.row < end; at.row += step, at.up += step) {
+void undo_each(Byte* row, const Byte* up, std::size_t size, Predict predict) {
+  int left[step] = {};
+  for (std::size_t x = 0; x < size; x += step) {
     for (std::size_t c = 0; c < step; ++c) {
-      const int above = at.up[c];
-      at.left[c] = (at.row[c] + predict(at.left[c], above, at.corner[c])) & 255;
-      at.corner[c] = above;
-      at.row[c] = static_cast<Byte>(at.left[c]);
+      left[c] = (row[x + c] + predict(left[c], int{up[x + c]})) & 255;
+      row[x + c] = static_cast<Byte>(left[c]);
     }
   }
 }
 
-template <std::size_t step, class Predict>
-void undo_each(Byte* row, const Byte* up, std::size_t size, Predict predict) {
-  Place<step> at{row, up};
-  undo_pixels(at, size, predict);
+/// The components of one pixel, 16 bits each; what is beyond them is not looked at. SSE2 is what every x86-64
+/// has: Highway's headers have no vectors for it.
+using V = __m128i;
+
+V choose(V mask, V yes, V no) { return _mm_or_si128(_mm_and_si128(mask, yes), _mm_andnot_si128(mask, no)); }
+
+/// PNG, section 9.4: that of the three which is nearest to left + up - corner. That is the smaller, the
+/// corner or the larger one; asked so, there is nothing to branch on.
+V paeth(V left, V up, V corner) {
+  const V low = _mm_min_epi16(left, up), high = _mm_max_epi16(left, up);
+  const V thrice = _mm_add_epi16(_mm_add_epi16(corner, corner), corner);
+  const V beyond = _mm_sub_epi16(_mm_sub_epi16(thrice, up), left);
+  const V inner = choose(_mm_cmpgt_epi16(high, beyond), corner, low);
+  return choose(_mm_cmpgt_epi16(beyond, low), inner, high);
 }
 
-constexpr std::size_t block = 48;  // of whole pixels and whole words
+/// `bytes` bytes, of which the first may be a pixel's.
+template <std::size_t bytes>
+V load(const Byte* from) {
+  // One load, or bytes put together in registers: a number read from bytes just written waits for them.
+  std::uint32_t packed = 0;
+  if constexpr (bytes == sizeof packed) {
+    std::memcpy(&packed, from, sizeof packed);
+  } else {
+    for (std::size_t c = 0; c < bytes; ++c) packed |= std::uint32_t{from[c]} << (8 * c);
+  }
+  return _mm_unpacklo_epi8(_mm_cvtsi32_si128(static_cast<int>(packed)), _mm_setzero_si128());
+}
+
+template <std::size_t step>
+void store(V pixel, Byte* to) {
+  const int bytes = _mm_cvtsi128_si32(_mm_packus_epi16(pixel, pixel));
+  for (std::size_t c = 0; c < step; ++c) to[c] = static_cast<Byte>(bytes >> (8 * c));
+}
+
+/// A place in a filtered row and in the row above; the pixels before both of them, 0 at the edge.
+struct Place {
+  Byte* row;
+  const Byte* up;
+  V left = _mm_setzero_si128();
+  V corner = _mm_setzero_si128();
+};
+
+/// Pixels of `step` bytes, of which `loaded` are read.
+template <std::size_t step, std::size_t loaded>
+void undo_pixels(Place& at, std::size_t size) {
+  const V low_bytes = _mm_set1_epi16(255);
+  for (const Byte* const end = at.row + size; at.row < end; at.row += step, at.up += step) {
+    const V above = load<loaded>(at.up);
+    const V sum = _mm_add_epi16(load<loaded>(at.row), paeth(at.left, above, at.corner));
+    at.left = _mm_and_si128(sum, low_bytes);
+    at.corner = above;
+    store<step>(at.left, at.row);
+  }
+}
+
+template <std::size_t step>
+void undo_some(Place& at, std::size_t rest) {
+  constexpr std::size_t some = 8 * step, most_loaded = 4;
+  if (rest < some + most_loaded) return undo_pixels<step, step>(at, std::min(rest, some));
+  undo_pixels<step, most_loaded>(at, some);
+}
+
+constexpr std::size_t block = 48;  // of whole pixels and whole vectors
 
 bool is_zero(const Byte* bytes) {
-  std::uint64_t words[block / 8], any = 0;
-  std::memcpy(words, bytes, block);
-  for (const std::uint64_t word : words) any |= word;
-  return any == 0;
+  V any = _mm_setzero_si128();
+  for (std::size_t i = 0; i < block; i += sizeof any)
+    any = _mm_or_si128(any, _mm_loadu_si128(reinterpret_cast<const V*>(bytes + i)));
+  return _mm_movemask_epi8(_mm_cmpeq_epi8(any, _mm_setzero_si128())) == 0xffff;
+}
+
+template <std::size_t step>
+bool is_same(V a, V b) {
+  constexpr int all = (1 << (2 * step)) - 1;
+  return (_mm_movemask_epi8(_mm_cmpeq_epi16(a, b)) & all) == all;
 }
 
 /// Where the pixel before is the one above it, zeros repeat the row above, as they mostly do in rendered
 /// pictures.
 template <std::size_t step>
 void undo_paeth(Byte* row, const Byte* up, std::size_t size) {
-  Place<step> at{row, up};
+  Place at{row, up};
   for (const Byte* const end = row + size; at.row < end;) {
     const auto rest = static_cast<std::size_t>(end - at.row);
-    if (rest < block || !is_zero(at.row) || !std::ranges::equal(at.left, at.corner)) {
-      undo_pixels(at, std::min(rest, block), [](int l, int a, int c) { return paeth(l, a, c); });
+    if (rest < block || !is_zero(at.row) || !is_same<step>(at.left, at.corner)) {
+      undo_some<step>(at, rest);
       continue;
     }
     std::memcpy(at.row, at.up, block);
     at.row += block;
     at.up += block;
-    for (std::size_t c = 0; c < step; ++c) at.left[c] = at.corner[c] = at.up[c - step];
+    at.left = at.corner = load<step>(at.up - step);
   }
 }
 
 template <std::size_t step>
 void undo(Byte filter, Byte* row, const Byte* up, std::size_t size) {
-  if (filter == 1) undo_each<step>(row, up, size, [](int left, int, int) { return left; });
+  if (filter == 1) undo_each<step>(row, up, size, [](int left, int) { return left; });
   if (filter == 2) {
     for (std::size_t i = 0; i < size; ++i) row[i] = static_cast<Byte>(row[i] + up[i]);
   }
-  if (filter == 3)
-    undo_each<step>(row, up, size, [](int left, int above, int) { return (left + above) / 2; });
+  if (filter == 3) undo_each<step>(row, up, size, [](int left, int above) { return (left + above) / 2; });
   if (filter == 4) undo_paeth<step>(row, up, size);
 }
 
