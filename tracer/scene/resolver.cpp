@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tracer/scene/check_hierarchy.hpp"
 #include "tracer/scene/draft.hpp"
-#include "tracer/scene/hierarchy.hpp"
 #include "tracer/scene/lexer.hpp"
 #include "tracer/scene/writer.hpp"
 
