@@ -141,7 +141,9 @@ std::vector<HierarchyError> overflow_errors(const Scene& scene) {
 std::vector<HierarchyError> check_hierarchy(const Scene& scene) {
   const CompositeOrder order = order_of_composites(scene);
   if (!order.cycle.empty()) return {cycle_error(scene, order.cycle)};
-  std::vector<HierarchyError> errors = size_errors(scene, order.children_first);
+  std::vector<HierarchyError> errors;
+  if (!order.children_first.empty() || scene.shapes.size() > max_instances)
+    errors = size_errors(scene, order.children_first);
   return errors.empty() ? overflow_errors(scene) : errors;
 }
 
