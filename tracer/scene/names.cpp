@@ -20,19 +20,24 @@ void Names::reserve(std::size_t names) {
   if (slots_for(names) > slots_.size()) grow(slots_for(names));
 }
 
-std::optional<int> Names::define(std::string_view name, std::size_t id, int line) {
+Names::Key Names::key_of(std::string_view name) const {
+  const Key key{name, hash_of(name)};
+  if (!slots_.empty()) __builtin_prefetch(&slots_[key.hash & (slots_.size() - 1)], 1);
+  return key;
+}
+
+std::optional<int> Names::define(const Key& key, std::size_t id, int line) {
   if (slots_for(entries_.size() + 1) > slots_.size()) grow(slots_for(entries_.size() + 1));
-  const std::uint32_t hash = hash_of(name);
-  Slot& slot = slots_[slot_of(name, hash)];
+  Slot& slot = slots_[slot_of(key)];
   if (slot.entry != 0) return entries_[slot.entry - 1].line;
-  entries_.push_back({name, static_cast<std::uint32_t>(id), line});
-  slot = {hash, static_cast<std::uint32_t>(entries_.size())};
+  entries_.push_back({key.name, static_cast<std::uint32_t>(id), line});
+  slot = {key.hash, static_cast<std::uint32_t>(entries_.size())};
   return std::nullopt;
 }
 
 std::optional<std::size_t> Names::find(std::string_view name) const {
   if (slots_.empty()) return std::nullopt;
-  const Slot& slot = slots_[slot_of(name, hash_of(name))];
+  const Slot& slot = slots_[slot_of({name, hash_of(name)})];
   return slot.entry == 0 ? std::nullopt : std::optional<std::size_t>(entries_[slot.entry - 1].id);
 }
 
@@ -45,10 +50,11 @@ std::vector<std::string_view> Names::all() const {
 }
 
 /// Where the name is, or the free slot where it belongs.
-std::size_t Names::slot_of(std::string_view name, std::uint32_t hash) const {
+std::size_t Names::slot_of(const Key& key) const {
   const std::size_t mask = slots_.size() - 1;
-  std::size_t at = hash & mask;
-  while (slots_[at].entry != 0 && (slots_[at].hash != hash || entries_[slots_[at].entry - 1].name != name)) {
+  std::size_t at = key.hash & mask;
+  while (slots_[at].entry != 0 &&
+         (slots_[at].hash != key.hash || entries_[slots_[at].entry - 1].name != key.name)) {
     at = (at + 1) & mask;
   }
   return at;

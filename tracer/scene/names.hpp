@@ -13,10 +13,20 @@ namespace plumb {
 /// into the text.
 class Names {
  public:
+  struct Key {
+    std::string_view name;
+    std::uint32_t hash;
+  };
+
+  /// What define looks for. Its slot is fetched from memory meanwhile: large tables are nowhere near.
+  Key key_of(std::string_view name) const;
   /// Makes room for so many names, so that none is moved while they are defined.
   void reserve(std::size_t names);
   /// The line of an earlier definition of the same name, which stays, or nothing.
-  std::optional<int> define(std::string_view name, std::size_t id, int line);
+  std::optional<int> define(const Key& key, std::size_t id, int line);
+  std::optional<int> define(std::string_view name, std::size_t id, int line) {
+    return define(key_of(name), id, line);
+  }
   std::optional<std::size_t> find(std::string_view name) const;
   /// Sorted.
   std::vector<std::string_view> all() const;
@@ -33,7 +43,7 @@ class Names {
     std::uint32_t entry = 0;
   };
 
-  std::size_t slot_of(std::string_view name, std::uint32_t hash) const;
+  std::size_t slot_of(const Key& key) const;
   void grow(std::size_t slots);
 
   std::vector<Entry> entries_;

@@ -67,13 +67,14 @@ std::size_t read_plain_shape(Draft& draft, std::string_view text, int line) {
   if (!is_sphere && !cursor.skip("box ")) return 0;
   const auto name_column = static_cast<int>(cursor.offset()) + 1;
   const std::string_view name = cursor.word();
+  const Names::Key key = draft.shape_names.key_of(name);
   Shape made;
   if (name.empty() || !cursor.skip(" ") || !read_geometry(cursor, is_sphere, made)) return 0;
   const auto material_column = static_cast<int>(cursor.offset()) + 1;
   const std::string_view material = cursor.word();
   if (material.empty() || !cursor.is_at_end_of_line()) return 0;
   const ShapeId id = draft.scene.shapes.size();
-  if (draft.shape_names.define(name, id, line)) return 0;
+  if (draft.shape_names.define(key, id, line)) return 0;
   made.name = name;
   draft.shapes.push_back({line, name_column});
   draft.scene.shapes.push_back(std::move(made));
