@@ -71,18 +71,10 @@ class Terms {
   const Meeting& meeting_;
 };
 
-/// The shape of each instance; both are numbered depth first in the order of the file.
-std::vector<ShapeId> shapes_of_instances(const Scene& scene) {
-  std::vector<ShapeId> shapes;
-  for_each_instance(scene, [&](const Instance& instance) { shapes.push_back(instance.shape); });
-  return shapes;
-}
-
 /// What hides the light; null when nothing was found that does.
-const Shape* blocking_shape(const Scene& scene, const std::vector<ShapeId>& shapes,
-                            const LightSeen<double>& seen) {
+const Shape* blocking_shape(const Scene& scene, const InstanceShapes& shapes, const LightSeen<double>& seen) {
   if (seen.blocker.surface.instance == textbook::no_instance) return nullptr;
-  return &scene.shapes[shapes.at(static_cast<std::size_t>(seen.blocker.surface.instance))];
+  return &scene.shapes[shapes.at(seen.blocker.surface.instance)];
 }
 
 std::string number(double x) {
@@ -95,7 +87,7 @@ std::string triple(const Vec3d& v) { return "(" + number(v.x) + " " + number(v.y
 
 class Writer {
  public:
-  explicit Writer(const Scene& scene) : scene_(scene), shapes_(shapes_of_instances(scene)) {}
+  explicit Writer(const Scene& scene) : scene_(scene), shapes_(scene) {}
 
   std::string text(const RayNode& node) {
     ray(node, 0, "");
@@ -175,7 +167,7 @@ class Writer {
   }
 
   const Scene& scene_;
-  std::vector<ShapeId> shapes_;
+  InstanceShapes shapes_;
   std::string text_;
 };
 
@@ -183,7 +175,7 @@ Json json_of(const Vec3d& v) { return {v.x, v.y, v.z}; }
 
 class JsonWriter {
  public:
-  explicit JsonWriter(const Scene& scene) : scene_(scene), shapes_(shapes_of_instances(scene)) {}
+  explicit JsonWriter(const Scene& scene) : scene_(scene), shapes_(scene) {}
 
   Json ray(const RayNode& node) const {
     const KindWords words = words_of(node.kind);
@@ -257,7 +249,7 @@ class JsonWriter {
   }
 
   const Scene& scene_;
-  std::vector<ShapeId> shapes_;
+  InstanceShapes shapes_;
 };
 
 }  // namespace

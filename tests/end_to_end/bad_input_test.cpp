@@ -101,7 +101,7 @@ const std::vector<BadScene>& bad_scenes() {
          return text;
        },
        "307:24",
-       {"more than 1000000 spheres, boxes and composites"}},
+       {"more than 4000000000 spheres, boxes and composites"}},
       {"CompositeInItself",
        [] { return with("define shape composite a a\n"); },
        "8:24",

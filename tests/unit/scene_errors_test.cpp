@@ -383,7 +383,7 @@ TEST(SceneErrors, TooManyInstancesByDoublingAreRefused) {
     text += "define shape composite " + name + " " + below + " " + below + "\n";
     below = name;
   }
-  expect_error(text, 2 + doublings, 24, {"more than 1000000", "counted each time"});
+  expect_error(text, 2 + doublings, 24, {"more than 4000000000", "counted each time"});
 }
 
 TEST(SceneErrors, TheNumberOfInstancesDoesNotOverflow) {
@@ -396,20 +396,20 @@ TEST(SceneErrors, TheNumberOfInstancesDoesNotOverflow) {
   }
   // 2^64 - 1 shapes below c62, composites among them: one more is 0 in 64 bits.
   text += "define shape composite all c62\n";
-  expect_error(text, 66, 24, {"more than 1000000"});
+  expect_error(text, 66, 24, {"more than 4000000000"});
 }
 
 TEST(SceneErrors, ManySmallCompositesBesideOneAnotherAreCountedTogether) {
   std::string text = start;
   std::string below = "ball";
-  for (int i = 0; i < 17; ++i) {
+  for (int i = 0; i < 29; ++i) {
     const std::string name = "c" + std::to_string(i);
     text += "define shape composite " + name + " " + below + " " + below + "\n";
     below = name;
   }
-  // 2^18 - 1 shapes below c16, twice as many below `one` and `two`: only together they are too many.
-  text += "define shape composite one c16 c16\ndefine shape composite two c16 c16\n";
-  expect_error(text, 21, 24, {"more than 1000000"});
+  // 2^30 - 1 shapes below c28, twice as many below `one` and `two`: only together they are too many.
+  text += "define shape composite one c28 c28\ndefine shape composite two c28 c28\n";
+  expect_error(text, 33, 24, {"more than 4000000000"});
 }
 
 TEST(SceneErrors, TransformsThatOverflowAreRefused) {

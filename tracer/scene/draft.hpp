@@ -4,10 +4,10 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <unordered_set>
 #include <vector>
 
+#include "tracer/scene/names.hpp"
 #include "tracer/scene/reader.hpp"
 
 namespace plumb {
@@ -23,34 +23,17 @@ struct Reference {
   Place place;
 };
 
-/// Names of one kind (materials, shapes, lights, cameras) and where they were defined.
-class Names {
- public:
-  /// The line of an earlier definition of the same name, or nothing.
-  std::optional<int> define(std::string_view name, std::size_t id, int line);
-  std::optional<std::size_t> find(std::string_view name) const;
-  /// Sorted.
-  std::vector<std::string_view> all() const;
-
- private:
-  struct Entry {
-    std::size_t id;
-    int line;
-  };
-  std::unordered_map<std::string_view, Entry> ids_;
-};
-
 /// What the reader fills in and the resolver completes. Views point into the text.
 struct Draft {
-  struct Shape {
-    Place place;
-    std::optional<Reference> material;
-    std::vector<Reference> children;
-    std::vector<TransformStep> transform_lines;
+  /// Of a sphere or box.
+  struct MaterialUse {
+    ShapeId shape;
+    Reference material;
   };
-  struct Camera {
-    Place place;
-    std::vector<TransformStep> transform_lines;
+  /// Of a composite.
+  struct ChildUse {
+    ShapeId composite;
+    Reference child;
   };
   struct TransformLine {
     Reference target;
@@ -75,9 +58,11 @@ struct Draft {
   Names camera_names;
   std::unordered_set<std::string_view> broken_shapes;  ///< defined, but not as a shape that is known
 
-  std::vector<Place> materials;  ///< parallel to scene.materials
-  std::vector<Shape> shapes;     ///< parallel to scene.shapes
-  std::vector<Camera> cameras;   ///< parallel to scene.cameras
+  std::vector<Place> materials;            ///< parallel to scene.materials
+  std::vector<Place> shapes;               ///< parallel to scene.shapes
+  std::vector<Place> cameras;              ///< parallel to scene.cameras
+  std::vector<MaterialUse> material_uses;  ///< of materials that were not defined before
+  std::vector<ChildUse> child_uses;
   std::vector<TransformLine> transforms;
   std::vector<RenderLine> renders;
   std::optional<Resolution> camera_resolution;  ///< of the loose dialect, for a file without `render`
@@ -90,6 +75,8 @@ struct Draft {
     findings.push_back({severity, place.line, place.column, std::move(message), std::move(remedy)});
     return findings.back();
   }
+  /// Sets the material of a sphere or box, at once where it is defined already.
+  void use_material(ShapeId shape, const Reference& material);
   bool has_errors() const;
 };
 

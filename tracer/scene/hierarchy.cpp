@@ -1,14 +1,90 @@
 #include "tracer/scene/hierarchy.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
+#include <stdexcept>
 
-#include "tracer/scene/lexer.hpp"
 #include "tracer/scene/reader.hpp"
 
 namespace plumb {
 namespace {
+
+/// Depth first without recursion: what is read may be nested as deep as the file is long.
+class Search {
+ public:
+  explicit Search(const Scene& scene) : scene_(scene), state_(scene.shapes.size(), State::unseen) {}
+
+  CompositeOrder run() {
+    for (ShapeId id = 0; id < scene_.shapes.size() && found_.cycle.empty(); ++id) {
+      if (is_new(id)) descend(id);
+    }
+    return std::move(found_);
+  }
+
+ private:
+  enum class State : std::uint8_t { unseen, open, done };
+  struct Step {
+    ShapeId id;
+    std::size_t next_child;
+  };
+
+  bool is_new(ShapeId id) const {
+    return state_[id] == State::unseen && std::holds_alternative<Composite>(scene_.shapes[id].geometry);
+  }
+
+  void descend(ShapeId root) {
+    open(root);
+    while (!path_.empty() && found_.cycle.empty()) {
+      Step& top = path_.back();
+      const auto& children = children_of(scene_.shapes[top.id]);
+      if (top.next_child == children.size()) {
+        state_[top.id] = State::done;
+        found_.children_first.push_back(top.id);
+        path_.pop_back();
+      } else if (const ShapeId child = children[top.next_child++]; state_[child] == State::open) {
+        close_cycle(child);
+      } else if (is_new(child)) {
+        open(child);
+      }
+    }
+  }
+
+  void open(ShapeId id) {
+    state_[id] = State::open;
+    path_.push_back({id, 0});
+  }
+
+  void close_cycle(ShapeId first) {
+    const auto from = std::find_if(path_.begin(), path_.end(), [&](const Step& s) { return s.id == first; });
+    for (auto step = from; step != path_.end(); ++step) found_.cycle.push_back(step->id);
+  }
+
+  const Scene& scene_;
+  std::vector<State> state_;
+  std::vector<Step> path_;
+  CompositeOrder found_;
+};
+
+std::vector<std::uint64_t> count_below(const Scene& scene, std::uint64_t of_composite) {
+  std::vector<std::uint64_t> count(scene.shapes.size(), 1);
+  for (const ShapeId id : order_of_composites(scene).children_first) {
+    count[id] = of_composite;
+    for (const ShapeId child : children_of(scene.shapes[id]))
+      count[id] = saturating_add(count[id], count[child]);
+  }
+  return count;
+}
+
+void refuse_to_visit_too_many(const Scene& scene) {
+  const std::uint64_t nodes = count_nodes(scene);
+  if (nodes <= max_visited_instances) return;
+  throw SceneError("found " + std::to_string(nodes) +
+                   " spheres, boxes and composites (shared children counted each time), expected at most " +
+                   std::to_string(max_visited_instances) +
+                   " where each has to be visited; render it with the engine, which does not");
+}
+
+}  // namespace
 
 const std::vector<ShapeId>& children_of(const Shape& shape) {
   static const std::vector<ShapeId> none;
@@ -16,122 +92,26 @@ const std::vector<ShapeId>& children_of(const Shape& shape) {
   return composite == nullptr ? none : composite->children;
 }
 
-/// Shapes with every child before its parents (Kahn, "Topological sorting of large networks", 1962);
-/// shorter than the scene when there is a cycle.
-std::vector<ShapeId> children_first(const Scene& scene) {
-  std::vector<std::vector<ShapeId>> parents(scene.shapes.size());
-  std::vector<std::size_t> waiting_for(scene.shapes.size());
-  std::vector<ShapeId> order;
-  for (ShapeId id = 0; id < scene.shapes.size(); ++id) {
-    for (const ShapeId child : children_of(scene.shapes[id])) parents[child].push_back(id);
-    waiting_for[id] = children_of(scene.shapes[id]).size();
-    if (waiting_for[id] == 0) order.push_back(id);
-  }
-  for (std::size_t next = 0; next < order.size(); ++next) {
-    for (const ShapeId parent : parents[order[next]]) {
-      if (--waiting_for[parent] == 0) order.push_back(parent);
-    }
-  }
-  return order;
-}
-
-bool is_finite(const Mat4<double>& m) {
-  for (int column = 0; column < 4; ++column) {
-    for (int row = 0; row < 4; ++row) {
-      if (!std::isfinite(m[column][row])) return false;
-    }
-  }
-  return true;
-}
-
-std::vector<std::size_t> depth_below(const Scene& scene, const std::vector<ShapeId>& order) {
-  std::vector<std::size_t> depth(scene.shapes.size(), 0);
-  for (const ShapeId id : order) {
-    for (const ShapeId child : children_of(scene.shapes[id]))
-      depth[id] = std::max(depth[id], depth[child] + 1);
-  }
-  return depth;
-}
+CompositeOrder order_of_composites(const Scene& scene) { return Search(scene).run(); }
 
 std::uint64_t saturating_add(std::uint64_t a, std::uint64_t b) {
   constexpr auto most = std::numeric_limits<std::uint64_t>::max();
   return a > most - b ? most : a + b;
 }
 
-std::vector<std::uint64_t> count_instances(const Scene& scene, const std::vector<ShapeId>& order,
-                                           bool every_node) {
-  std::vector<std::uint64_t> count(scene.shapes.size(), 0);
-  for (const ShapeId id : order) {
-    count[id] = every_node || material_of(scene.shapes[id]) != nullptr ? 1 : 0;
-    for (const ShapeId child : children_of(scene.shapes[id]))
-      count[id] = saturating_add(count[id], count[child]);
-  }
-  return count;
-}
+std::vector<std::uint64_t> count_instances(const Scene& scene) { return count_below(scene, 0); }
 
-HierarchyError cycle_error(const Scene& scene, const std::vector<ShapeId>& order) {
-  std::vector<bool> is_sorted(scene.shapes.size(), false);
-  for (const ShapeId id : order) is_sorted[id] = true;
-  // Every shape that is left has a child that is left: following them must come round.
-  ShapeId at = static_cast<ShapeId>(std::find(is_sorted.begin(), is_sorted.end(), false) - is_sorted.begin());
-  std::vector<bool> is_seen(scene.shapes.size(), false);
-  const auto next = [&](ShapeId id) {
-    const auto& children = children_of(scene.shapes[id]);
-    return *std::find_if(children.begin(), children.end(), [&](ShapeId child) { return !is_sorted[child]; });
-  };
-  for (; !is_seen[at]; at = next(at)) is_seen[at] = true;
-  std::string path = in_quotes(scene.shapes[at].name);
-  ShapeId step = next(at);
-  for (std::size_t shown = 0; step != at && shown < 4; ++shown, step = next(step)) {
-    path += " > " + in_quotes(scene.shapes[step].name);
-  }
-  path += step == at ? " > " + in_quotes(scene.shapes[at].name) : " > ...";
-  return {at, "found a composite that contains itself (" + path +
-                  "), expected no cycle; remove one of these children"};
-}
-
-}  // namespace
-
-std::vector<std::uint64_t> count_instances(const Scene& scene) {
-  return count_instances(scene, children_first(scene), false);
-}
-
-std::vector<HierarchyError> check_hierarchy(const Scene& scene) {
-  const std::vector<ShapeId> order = children_first(scene);
-  if (order.size() < scene.shapes.size()) return {cycle_error(scene, order)};
-  const auto depth = depth_below(scene, order);
-  const auto count = count_instances(scene, order, true);
-  std::vector<HierarchyError> errors;
+std::uint64_t count_nodes(const Scene& scene) {
+  const std::vector<std::uint64_t> count = count_below(scene, 1);
   std::uint64_t total = 0;
-  for (const ShapeId root : scene.roots()) {
-    total = saturating_add(total, count[root]);
-    if (depth[root] > max_nesting) {
-      errors.push_back({root, "found composites nested " + std::to_string(depth[root]) +
-                                  " deep, expected at most " + std::to_string(max_nesting) +
-                                  "; put children side by side"});
-    }
-    if (total > max_instances && total - count[root] <= max_instances) {
-      errors.push_back(
-          {root, "found more than " + std::to_string(max_instances) +
-                     " spheres, boxes and composites (shared children counted each time), expected fewer"});
-    }
-  }
-  if (!errors.empty()) return errors;
-  std::vector<bool> is_reported(scene.shapes.size(), false);
-  for_each_instance(scene, [&](const Instance& instance) {
-    const auto& transform = instance.world_from_object;
-    if (is_reported[instance.shape] || (is_finite(transform.matrix) && is_finite(transform.inverse))) return;
-    is_reported[instance.shape] = true;
-    errors.push_back(
-        {instance.shape,
-         "found a transform of " + in_quotes(scene.shapes[instance.shape].name) +
-             " that overflows, expected a matrix and an inverse of finite numbers; use smaller factors"});
-  });
-  return errors;
+  for (const ShapeId root : scene.roots()) total = saturating_add(total, count[root]);
+  return total;
 }
 
 void for_each_instance(const Scene& scene, const std::function<void(const Instance&)>& use) {
+  refuse_to_visit_too_many(scene);
   std::vector<Transform<double>> parent_from_object;
+  parent_from_object.reserve(scene.shapes.size());
   for (const Shape& shape : scene.shapes) parent_from_object.push_back(transform_of<double>(shape.transform));
   const auto visit = [&](const auto& self, ShapeId id, const Transform<double>& parent) -> void {
     const Shape& shape = scene.shapes[id];
@@ -141,6 +121,24 @@ void for_each_instance(const Scene& scene, const std::function<void(const Instan
     for (const ShapeId child : children_of(shape)) self(self, child, here);
   };
   for (const ShapeId root : scene.roots()) visit(visit, root, Transform<double>{});
+}
+
+InstanceShapes::InstanceShapes(const Scene& scene)
+    : scene_(scene), roots_(scene.roots()), counts_(count_instances(scene)) {}
+
+ShapeId InstanceShapes::at(std::uint64_t instance) const {
+  const std::vector<ShapeId>* among = &roots_;
+  for (auto next = among->begin(); next != among->end();) {
+    if (instance >= counts_[*next]) {
+      instance -= counts_[*next++];
+    } else if (material_of(scene_.shapes[*next]) != nullptr) {
+      return *next;
+    } else {
+      among = &children_of(scene_.shapes[*next]);
+      next = among->begin();
+    }
+  }
+  throw std::out_of_range("no instance of that number in the scene");
 }
 
 }  // namespace plumb

@@ -10,18 +10,26 @@
 
 namespace plumb {
 
-struct HierarchyError {
-  ShapeId shape;
-  std::string message;
+/// The children of a composite; none of a sphere or a box.
+const std::vector<ShapeId>& children_of(const Shape& shape);
+
+/// An order of the composites in which each comes after its children, or what makes it impossible.
+struct CompositeOrder {
+  std::vector<ShapeId> children_first;  ///< composites alone; not all of them when there is a cycle
+  std::vector<ShapeId> cycle;  ///< each a child of the one before it, the first of the last; or empty
 };
 
-/// Cycles, nesting deeper than max_nesting, more than max_instances spheres and boxes, and
-/// transforms that are not finite or have no finite inverse. Takes time linear in the text and in
-/// max_instances.
-std::vector<HierarchyError> check_hierarchy(const Scene& scene);
+/// Depth-first search (Tarjan, "Depth-first search and linear graph algorithms", SIAM J. Comput. 1, 1972) in
+/// the order of the file.
+CompositeOrder order_of_composites(const Scene& scene);
 
 /// Spheres and boxes below each shape, a shared child counted once per path (saturating).
 std::vector<std::uint64_t> count_instances(const Scene& scene);
+
+/// Spheres, boxes and composites of the world, counted in the same way.
+std::uint64_t count_nodes(const Scene& scene);
+
+std::uint64_t saturating_add(std::uint64_t a, std::uint64_t b);
 
 /// One sphere or box as it stands in the world, reached over one path through the composites.
 struct Instance {
@@ -29,8 +37,24 @@ struct Instance {
   Transform<double> world_from_object;
 };
 
-/// Calls `use` for every sphere and box of the world, depth first in the order of the file.
-/// Expects a scene without hierarchy errors.
+/// Calls `use` for every sphere and box of the world, depth first in the order of the file; their numbers
+/// count from 0. Expects a scene without hierarchy errors. Throws SceneError when there are more than
+/// max_visited_instances.
 void for_each_instance(const Scene& scene, const std::function<void(const Instance&)>& use);
+
+/// The shapes of instances by their numbers, without a walk over all.
+class InstanceShapes {
+ public:
+  /// Expects a scene without hierarchy errors; it must outlive this.
+  explicit InstanceShapes(const Scene& scene);
+
+  /// Throws std::out_of_range when there is no such instance.
+  ShapeId at(std::uint64_t instance) const;
+
+ private:
+  const Scene& scene_;
+  std::vector<ShapeId> roots_;
+  std::vector<std::uint64_t> counts_;
+};
 
 }  // namespace plumb

@@ -51,17 +51,17 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-std::vector<Token> tokenize(std::string_view line) {
-  std::vector<Token> tokens;
+void tokenize(std::string_view line, std::vector<Token>& tokens) {
+  tokens.clear();
   std::size_t at = 0;
   for (;;) {
     while (at < line.size() && is_blank(line[at])) ++at;
-    if (at == line.size() || line[at] == '#') return tokens;
+    if (at == line.size() || line[at] == '#') return;
     const std::size_t begin = at;
     while (at < line.size() && !is_blank(line[at]) && line[at] != '#') ++at;
     const Token token{line.substr(begin, at - begin), static_cast<int>(begin) + 1};
     tokens.push_back(token);
-    if (token.text.starts_with("//")) return tokens;
+    if (token.text.starts_with("//")) return;
   }
 }
 

@@ -13,9 +13,9 @@ struct Token {
   int column;  ///< from 1, in bytes
 };
 
-/// Tokens of one line up to a `#`; blanks, tabs and carriage returns separate.
-/// A token that begins with `//` ends the line, too, and is returned as the last token.
-std::vector<Token> tokenize(std::string_view line);
+/// Sets the tokens to those of one line up to a `#`; blanks, tabs and carriage returns separate.
+/// A token that begins with `//` ends the line, too, and becomes the last token.
+void tokenize(std::string_view line, std::vector<Token>& tokens);
 
 /// Why a token is no finite double, with the likely fix; empty when it is one.
 struct Number {

@@ -90,6 +90,7 @@ std::string read_text_file(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file) throw SceneError(path + ": cannot be opened: " + std::strerror(errno));
   std::string text;
+  text.reserve(static_cast<std::size_t>(info.st_size));
   std::string piece(std::size_t{1} << 16, '\0');
   while (file.read(piece.data(), static_cast<std::streamsize>(piece.size())) || file.gcount() > 0) {
     text.append(piece.data(), static_cast<std::size_t>(file.gcount()));

@@ -46,7 +46,7 @@ void read_camera(Line& line, const Token& keyword, Tokens& tokens) {
     return;
   Camera made;
   made.name = name->text;
-  line.draft().cameras.push_back({line.place_of(*name), {}});
+  line.draft().cameras.push_back(line.place_of(*name));
   const auto values = line.numbers(tokens, 0);
   if (values) camera_numbers(line, *name, *values, made);
   line.draft().scene.cameras.push_back(std::move(made));

@@ -12,13 +12,14 @@ namespace {
 using Tokens = std::vector<Token>;
 
 /// A material at the end is a name; a number there means that the name is missing.
+bool is_material(const Token& token) { return !parse_number(token.text).complaint.empty(); }
+
 void shape_count(Line& line, const Token& name, const Token& material, std::size_t found,
                  std::size_t expected, const char* what) {
-  const bool missing = parse_number(material.text).complaint.empty();
+  const bool missing = !is_material(material);
   line.wrong_count(name, found + (missing ? 1 : 0),
                    std::string(what) + " and the name of a material" +
                        (missing && found + 1 == expected ? "; the material is missing at the end" : ""));
-  if (missing) line.draft().shapes.back().material.reset();
 }
 
 void composite(Line& line, const Token& name, const Tokens& tokens) {
@@ -26,8 +27,9 @@ void composite(Line& line, const Token& name, const Tokens& tokens) {
     line.say(Severity::error, line.end_of({name}),
              "found the end of the line, expected the names of the composite's children");
   }
+  const ShapeId id = line.draft().scene.shapes.size();
   for (const Token& child : tokens)
-    line.draft().shapes.back().children.push_back({child.text, line.place_of(child)});
+    line.draft().child_uses.push_back({id, {child.text, line.place_of(child)}});
 }
 
 void box(Line& line, const Token& name, const Token& material, const std::vector<double>& v, Shape& made) {
@@ -69,6 +71,29 @@ void unknown_shape(Line& line, const Token& kind, const Tokens& tokens) {
   line.draft().broken_shapes.insert(kind.text);
 }
 
+/// The name of its material; nothing, with one error, where it is not clear which word that is.
+std::optional<Token> sphere_or_box(Line& line, const Token& kind, const Token& name, Tokens& tokens,
+                                   Shape& made) {
+  const bool is_sphere = kind.text == "sphere";
+  if (tokens.empty()) {
+    line.say(Severity::error, line.end_of({name}),
+             is_sphere ? "found the end of the line, expected center (3 numbers), radius and material"
+                       : "found the end of the line, expected two corners (6 numbers) and a material");
+    return std::nullopt;
+  }
+  const Token material = tokens.back();
+  tokens.pop_back();
+  const std::size_t numbers = is_sphere ? 4 : 6;
+  if (tokens.size() == numbers + 1 && is_material(tokens.back())) {
+    line.error(material, "expected the end of the line after the material " + in_quotes(tokens.back().text));
+    return std::nullopt;
+  }
+  const auto values = line.numbers(tokens, 0);
+  if (!values) return material;
+  is_sphere ? sphere(line, name, material, *values, made) : box(line, name, material, *values, made);
+  return values->size() == numbers || is_material(material) ? std::optional(material) : std::nullopt;
+}
+
 }  // namespace
 
 void read_shape(Line& line, const Token& keyword, Tokens& tokens) {
@@ -89,32 +114,19 @@ void read_shape(Line& line, const Token& keyword, Tokens& tokens) {
     return;
   Shape made;
   made.name = name->text;
-  line.draft().shapes.push_back({line.place_of(*name), {}, {}, {}});
+  line.draft().shapes.push_back(line.place_of(*name));
+  std::optional<Token> material;
   if (kind.text == "composite") {
     composite(line, *name, tokens);
     made.geometry = Composite{};
-  } else if (!tokens.empty()) {
-    line.draft().shapes.back().material = Reference{tokens.back().text, line.place_of(tokens.back())};
-    const Token material = tokens.back();
-    tokens.pop_back();
-    const std::size_t with_material = kind.text == "sphere" ? 5 : 7;
-    const bool two_words =
-        tokens.size() == with_material && !parse_number(tokens.back().text).complaint.empty();
-    if (two_words) {
-      line.draft().shapes.back().material.reset();
-      line.error(material,
-                 "expected the end of the line after the material " + in_quotes(tokens.back().text));
-    } else if (const auto values = line.numbers(tokens, 0)) {
-      kind.text == "sphere" ? sphere(line, *name, material, *values, made)
-                            : box(line, *name, material, *values, made);
-    }
   } else {
-    line.say(Severity::error, line.end_of({*name}),
-             kind.text == "sphere"
-                 ? "found the end of the line, expected center (3 numbers), radius and material"
-                 : "found the end of the line, expected two corners (6 numbers) and a material");
+    material = sphere_or_box(line, kind, *name, tokens, made);
   }
   line.draft().scene.shapes.push_back(std::move(made));
+  if (material) {
+    line.draft().use_material(line.draft().scene.shapes.size() - 1,
+                              {material->text, line.place_of(*material)});
+  }
 }
 
 }  // namespace plumb

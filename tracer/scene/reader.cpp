@@ -23,16 +23,27 @@ void split_glued_define(Line& line, Tokens& tokens) {
   tokens.insert(tokens.begin() + 1, Token{rest, first.column + static_cast<int>(define.size())});
 }
 
+std::size_t end_of_line(std::string_view text) {
+  return static_cast<std::size_t>(
+      std::find_if(text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }) - text.begin());
+}
+
 class Reader {
  public:
   explicit Reader(const Dialect& dialect) : dialect_(dialect) {}
 
   ReadResult read(std::string_view text) {
     if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+    make_room(text);
     while (!text.empty() && !is_binary_) {
-      const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
       ++draft_.last_line;
-      read_line(text.substr(0, end));
+      std::size_t end = read_plain_shape(draft_, text, draft_.last_line);
+      if (end > 0) {
+        has_statements_ = true;
+      } else {
+        end = end_of_line(text);
+        read_line(text.substr(0, end));
+      }
       text.remove_prefix(std::min(end + (text.substr(end).starts_with("\r\n") ? 2 : 1), text.size()));
     }
     if (!is_binary_ && !has_statements_) {
@@ -47,6 +58,17 @@ class Reader {
   }
 
  private:
+  /// For as many shapes as there can be, so that none is moved when there are more; memory that is not
+  /// written to costs nothing.
+  void make_room(std::string_view text) {
+    constexpr std::size_t shortest_shape = std::string_view("define shape composite a b\n").size();
+    const auto lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')) + 1;
+    const std::size_t shapes = std::min(lines, text.size() / shortest_shape + 1);
+    draft_.scene.shapes.reserve(shapes);
+    draft_.shapes.reserve(shapes);
+    draft_.shape_names.reserve(shapes);
+  }
+
   void read_line(std::string_view text) {
     Line line(draft_, dialect_, draft_.last_line);
     if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos) {
@@ -55,7 +77,8 @@ class Reader {
       is_binary_ = true;
       return;
     }
-    Tokens tokens = tokenize(text);
+    Tokens& tokens = tokens_;
+    tokenize(text, tokens);
     if (!tokens.empty() && tokens.back().text.starts_with("//")) {
       line.loose(tokens.back(), "'#' before a comment");
       tokens.pop_back();
@@ -109,6 +132,7 @@ class Reader {
 
   const Dialect& dialect_;
   Draft draft_;
+  Tokens tokens_;  ///< of the line that is read, kept for their memory
   bool is_binary_ = false;
   bool has_statements_ = false;
   int ambient_line_ = 0;

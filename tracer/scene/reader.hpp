@@ -1,6 +1,7 @@
 // Reads scene text: the course grammar, strictly unless a dialect is named.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <stdexcept>
@@ -60,7 +61,10 @@ std::vector<std::string> propose_dialects(std::string_view text);
 std::vector<std::string> nearest_dialects(std::string_view text);
 
 /// The limits beyond which a scene is refused.
-inline constexpr std::size_t max_nesting = 1000;         ///< composites within composites
-inline constexpr std::size_t max_instances = 1'000'000;  ///< shapes, a shared child counted once per path
+inline constexpr std::size_t max_nesting = 1000;  ///< composites within composites
+/// Shapes, a shared child counted once per path: the engine numbers them with 32 bits.
+inline constexpr std::uint64_t max_instances = 4'000'000'000;
+/// The limit beyond which a scene is rendered, but not walked through instance by instance.
+inline constexpr std::uint64_t max_visited_instances = 1'000'000;
 
 }  // namespace plumb

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tracer/scene/check_hierarchy.hpp"
 #include "tracer/scene/draft.hpp"
-#include "tracer/scene/hierarchy.hpp"
 #include "tracer/scene/lexer.hpp"
 #include "tracer/scene/writer.hpp"
 
@@ -43,31 +43,29 @@ bool is_broken(const Draft& draft, std::string_view name) {
   return draft.broken_shapes.contains(name) && !draft.shape_names.find(name);
 }
 
+void set_material(Shape& shape, MaterialId material) {
+  if (auto* sphere = std::get_if<Sphere>(&shape.geometry)) sphere->material = material;
+  if (auto* box = std::get_if<Box>(&shape.geometry)) box->material = material;
+}
+
 void resolve_materials(Draft& draft) {
-  for (ShapeId id = 0; id < draft.shapes.size(); ++id) {
-    if (!draft.shapes[id].material) continue;
-    look_up(draft, draft.material_names, *draft.shapes[id].material, "material", [&](MaterialId material) {
-      auto& geometry = draft.scene.shapes[id].geometry;
-      if (auto* sphere = std::get_if<Sphere>(&geometry)) sphere->material = material;
-      if (auto* box = std::get_if<Box>(&geometry)) box->material = material;
-    });
+  for (const Draft::MaterialUse& use : draft.material_uses) {
+    look_up(draft, draft.material_names, use.material, "material",
+            [&](MaterialId material) { set_material(draft.scene.shapes[use.shape], material); });
   }
 }
 
 void resolve_children(Draft& draft) {
-  for (ShapeId id = 0; id < draft.shapes.size(); ++id) {
-    auto* composite = std::get_if<Composite>(&draft.scene.shapes[id].geometry);
-    if (composite == nullptr) continue;
-    for (const Reference& child : draft.shapes[id].children) {
-      if (is_broken(draft, child.name)) continue;
-      look_up(draft, draft.shape_names, child, "shape",
-              [&](ShapeId child_id) { composite->children.push_back(child_id); });
-    }
+  for (const Draft::ChildUse& use : draft.child_uses) {
+    if (is_broken(draft, use.child.name)) continue;
+    auto& composite = std::get<Composite>(draft.scene.shapes[use.composite].geometry);
+    look_up(draft, draft.shape_names, use.child, "shape",
+            [&](ShapeId child) { composite.children.push_back(child); });
   }
 }
 
-/// Steps in the order in which they act, from the order of the lines.
-std::vector<TransformStep> in_order_of_action(std::vector<TransformStep> lines, TransformOrder order) {
+/// Puts steps into the order in which they act, from the order of the lines.
+void put_in_order_of_action(std::vector<TransformStep>& lines, TransformOrder order) {
   if (order == TransformOrder::post) std::reverse(lines.begin(), lines.end());
   if (order == TransformOrder::trs) {
     const auto rank = [](const TransformStep& s) {
@@ -77,7 +75,6 @@ std::vector<TransformStep> in_order_of_action(std::vector<TransformStep> lines, 
     std::stable_sort(lines.begin(), lines.end(),
                      [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
   }
-  return lines;
 }
 
 void resolve_transforms(Draft& draft, TransformOrder order) {
@@ -89,21 +86,17 @@ void resolve_transforms(Draft& draft, TransformOrder order) {
                 "found " + in_quotes(line.target.name) +
                     ", expected a name that is not both a camera and a shape; rename one");
     } else if (camera) {
-      draft.cameras[*camera].transform_lines.push_back(line.step);
+      draft.scene.cameras[*camera].transform.push_back(line.step);
     } else if (shape) {
-      draft.shapes[*shape].transform_lines.push_back(line.step);
+      draft.scene.shapes[*shape].transform.push_back(line.step);
     } else if (!is_broken(draft, line.target.name)) {
       report_unknown(draft, known_names(draft, {&draft.shape_names, &draft.camera_names}), line.target,
                      "shape or camera");
     }
   }
-  for (ShapeId id = 0; id < draft.shapes.size(); ++id) {
-    draft.scene.shapes[id].transform = in_order_of_action(std::move(draft.shapes[id].transform_lines), order);
-  }
-  for (std::size_t id = 0; id < draft.cameras.size(); ++id) {
-    draft.scene.cameras[id].transform =
-        in_order_of_action(std::move(draft.cameras[id].transform_lines), order);
-  }
+  if (order == TransformOrder::pre) return;
+  for (Shape& shape : draft.scene.shapes) put_in_order_of_action(shape.transform, order);
+  for (Camera& camera : draft.scene.cameras) put_in_order_of_action(camera.transform, order);
 }
 
 void check_pose(Draft& draft, const Camera& camera, Place place) {
@@ -128,12 +121,12 @@ void resolve_cameras(Draft& draft) {
     const Place end{draft.last_line, 1};
     scene.cameras.emplace_back();
     draft.camera_names.define("default", 0, 0);
-    draft.cameras.push_back({end, {}});
+    draft.cameras.push_back(end);
     draft.say(Severity::warning, end,
               "no camera: one named 'default' at the origin, looking along -z, fov-x 45");
   }
   for (std::size_t id = 0; id < scene.cameras.size(); ++id) {
-    check_pose(draft, scene.cameras[id], draft.cameras[id].place);
+    check_pose(draft, scene.cameras[id], draft.cameras[id]);
   }
 }
 
@@ -197,7 +190,7 @@ void resolve_refraction(Draft& draft) {
 
 void check_graph(Draft& draft) {
   for (HierarchyError& error : check_hierarchy(draft.scene)) {
-    draft.say(Severity::error, draft.shapes[error.shape].place, std::move(error.message));
+    draft.say(Severity::error, draft.shapes[error.shape], std::move(error.message));
   }
 }
 
@@ -217,21 +210,12 @@ void warn_of_emptiness(Draft& draft) {
 
 }  // namespace
 
-std::optional<int> Names::define(std::string_view name, std::size_t id, int line) {
-  const auto [it, is_new] = ids_.try_emplace(name, Entry{id, line});
-  return is_new ? std::nullopt : std::optional<int>(it->second.line);
-}
-
-std::optional<std::size_t> Names::find(std::string_view name) const {
-  const auto it = ids_.find(name);
-  return it == ids_.end() ? std::nullopt : std::optional<std::size_t>(it->second.id);
-}
-
-std::vector<std::string_view> Names::all() const {
-  std::vector<std::string_view> names;
-  for (const auto& [name, entry] : ids_) names.push_back(name);
-  std::sort(names.begin(), names.end());
-  return names;
+void Draft::use_material(ShapeId shape, const Reference& material) {
+  if (const auto id = material_names.find(material.name)) {
+    set_material(scene.shapes[shape], *id);
+  } else {
+    material_uses.push_back({shape, material});
+  }
 }
 
 bool Draft::has_errors() const {
