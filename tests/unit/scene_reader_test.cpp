@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+#include <string>
+#include <vector>
+
 namespace plumb {
 namespace {
 
@@ -345,6 +349,58 @@ TEST(SceneReader, NestingUpToTheLimitIsRead) {
     text += "define shape composite c" + std::to_string(i) + " c" + std::to_string(i - 1) + "\n";
   }
   EXPECT_EQ(read(text).shapes.size(), max_nesting + 1);
+}
+
+// --- lines that are read in one go --------------------------------------------------------------------
+
+/// Spheres and boxes in the usual spelling, some of them with one byte that is changed, added or removed.
+std::vector<std::string> lines_with_slips(unsigned seed) {
+  constexpr std::string_view slips = " \t\f#/+-.,0159eExnaif\xC3_m";
+  std::mt19937 random(seed);
+  const auto below = [&](std::size_t n) {
+    return std::uniform_int_distribution<std::size_t>(0, n - 1)(random);
+  };
+  std::vector<std::string> lines{"define material m 0 0 0 0 0 0 0 0 0 1"};
+  for (int i = 0; i < 40; ++i) {
+    const std::string name = "s" + std::to_string(below(400));  // now and then one that is taken
+    std::string line = below(2) == 0 ? "define shape sphere " + name + " -1.5 2e-3 .25 1e2 m"
+                                     : "define shape box " + name + " 1 -2 3.5 -4 5 6 m";
+    const std::size_t at = below(line.size());
+    const std::size_t kind = below(6);
+    if (kind == 0) line[at] = slips[below(slips.size())];
+    if (kind == 1) line.insert(at, 1, slips[below(slips.size())]);
+    if (kind == 2) line.erase(at, 1);
+    lines.push_back(line);
+  }
+  lines.insert(lines.begin() + static_cast<std::ptrdiff_t>(below(lines.size())),
+               "define material n 0 0 0 0 0 0 0 0 0 2");
+  return lines;
+}
+
+std::string joined(const std::vector<std::string>& lines, const std::string& end) {
+  std::string text;
+  for (const std::string& line : lines) text += line + end;
+  return text;
+}
+
+TEST(SceneReader, ACommentAtTheEndOfALineChangesNothing) {
+  std::size_t valid = 0, faulty = 0;
+  for (unsigned seed = 0; seed < 500; ++seed) {
+    const auto lines = lines_with_slips(seed);
+    const ReadResult commented = read_scene(joined(lines, " #\n"));  // read word by word
+    for (const char* const end : {"\n", "\r\n", "\r"}) {
+      const ReadResult plain = read_scene(joined(lines, end));
+      std::string findings, expected;
+      for (const Finding& f : plain.findings) findings += to_string(f, "text") + f.remedy + "\n";
+      for (const Finding& f : commented.findings) expected += to_string(f, "text") + f.remedy + "\n";
+      EXPECT_EQ(findings, expected) << joined(lines, "\n");
+      EXPECT_EQ(plain.scene, commented.scene) << joined(lines, "\n");
+    }
+    valid += commented.scene.shapes.size();
+    faulty += commented.findings.size();
+  }
+  EXPECT_GT(valid, 5000U);  // or nothing was tested
+  EXPECT_GT(faulty, 1000U);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <set>
 
+#include "tracer/scene/huge_pages.hpp"
 #include "tracer/scene/reader.hpp"
 
 namespace plumb {
@@ -91,6 +92,7 @@ std::string read_text_file(const std::string& path) {
   if (!file) throw SceneError(path + ": cannot be opened: " + std::strerror(errno));
   std::string text;
   text.reserve(static_cast<std::size_t>(info.st_size));
+  prefer_huge_pages(text.data(), text.capacity());
   std::string piece(std::size_t{1} << 16, '\0');
   while (file.read(piece.data(), static_cast<std::streamsize>(piece.size())) || file.gcount() > 0) {
     text.append(piece.data(), static_cast<std::size_t>(file.gcount()));

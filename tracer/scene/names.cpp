@@ -4,6 +4,8 @@
 #include <bit>
 #include <functional>
 
+#include "tracer/scene/huge_pages.hpp"
+
 namespace plumb {
 namespace {
 
@@ -17,6 +19,7 @@ std::size_t slots_for(std::size_t names) { return std::bit_ceil(names + names / 
 
 void Names::reserve(std::size_t names) {
   entries_.reserve(names);
+  prefer_huge_pages(entries_.data(), names * sizeof(Entry));
   if (slots_for(names) > slots_.size()) grow(slots_for(names));
 }
 
@@ -61,8 +64,11 @@ std::size_t Names::slot_of(const Key& key) const {
 }
 
 void Names::grow(std::size_t slots) {
-  std::vector<Slot> before(slots);
+  std::vector<Slot> before;
   before.swap(slots_);
+  slots_.reserve(slots);
+  prefer_huge_pages(slots_.data(), slots * sizeof(Slot));
+  slots_.resize(slots);
   const std::size_t mask = slots - 1;
   for (const Slot& slot : before) {
     if (slot.entry == 0) continue;

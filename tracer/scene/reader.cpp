@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "tracer/scene/draft.hpp"
+#include "tracer/scene/huge_pages.hpp"
 #include "tracer/scene/lexer.hpp"
 #include "tracer/scene/statements.hpp"
 
@@ -65,6 +66,7 @@ class Reader {
     const auto lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')) + 1;
     const std::size_t shapes = std::min(lines, text.size() / shortest_shape + 1);
     draft_.scene.shapes.reserve(shapes);
+    prefer_huge_pages(draft_.scene.shapes.data(), shapes * sizeof(Shape));
     draft_.shapes.reserve(shapes);
     draft_.shape_names.reserve(shapes);
   }

@@ -1,0 +1,24 @@
+// Large arrays that are filled once: the kernel hands out their memory in few pieces instead of many.
+#pragma once
+
+#include <sys/mman.h>
+
+#include <cstdint>
+
+namespace plumb {
+
+/// A hint for memory that is reserved and not yet written to: 2 MiB at a time where the system has such
+/// pages. Less than that is left alone.
+inline void prefer_huge_pages(void* begin, std::size_t bytes) {
+#ifdef MADV_HUGEPAGE
+  constexpr std::uintptr_t page = std::uintptr_t{1} << 21;
+  const auto first = (reinterpret_cast<std::uintptr_t>(begin) + page - 1) & ~(page - 1);
+  const auto last = (reinterpret_cast<std::uintptr_t>(begin) + bytes) & ~(page - 1);
+  if (first < last) madvise(reinterpret_cast<void*>(first), last - first, MADV_HUGEPAGE);
+#else
+  static_cast<void>(begin);
+  static_cast<void>(bytes);
+#endif
+}
+
+}  // namespace plumb
