@@ -214,17 +214,22 @@ class Compiler {
     return item;
   }
 
-  /// The median of the longest edges, of so many items that it is no work.
-  static double typical_size(const std::vector<Item>& items) {
-    std::vector<float> sizes;
+  /// The median of the longest edges, of so many items that it is no work; of a group, of what it holds.
+  double typical_size(const std::vector<Item>& items) const {
+    std::vector<double> sizes;
     for (std::size_t i = 0; i < items.size(); i += 1 + items.size() / 4096) {
       const Item& item = items[i];
-      sizes.push_back(
+      double size = static_cast<double>(
           std::max({item.max[0] - item.min[0], item.max[1] - item.min[1], item.max[2] - item.min[2]}));
+      if (item.ref.kind() == Kind::group) {
+        const Member<Real>& member = out_.members[item.ref.index()];
+        size *= out_.groups[member.group].typical_size / 2;  // a group is 2 of its units long
+      }
+      sizes.push_back(size);
     }
     const auto median = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
     std::nth_element(sizes.begin(), median, sizes.end());
-    return static_cast<double>(*median);
+    return *median;
   }
 
   /// Neighbours in the hierarchy become neighbours in memory.
@@ -243,10 +248,19 @@ class Compiler {
   template <class S>
   void reorder(Kind kind, const std::vector<std::uint32_t>& order, std::vector<S>& shapes,
                std::vector<Label>& labels, std::size_t first_node) {
-    std::vector<std::uint32_t> places(order);
-    std::sort(places.begin(), places.end());
+    if (order.empty()) return;
+    const auto [least, most] = std::minmax_element(order.begin(), order.end());
+    std::vector<bool> is_taken(*most - *least + 1);
+    for (const std::uint32_t at : order) is_taken[at - *least] = true;
+    std::vector<std::uint32_t> places;
+    places.reserve(order.size());
+    for (std::uint32_t at = *least; at <= *most; ++at) {
+      if (is_taken[at - *least]) places.push_back(at);
+    }
     std::vector<S> sorted;
     std::vector<Label> sorted_labels;
+    sorted.reserve(order.size());
+    sorted_labels.reserve(order.size());
     for (const std::uint32_t from : order) {
       sorted.push_back(shapes[from]);
       sorted_labels.push_back(labels[from]);

@@ -114,19 +114,37 @@ std::array<Part, 2> split(const Part& part, bool in_halves) {
   return {part_of(part.items.subspan(0, left)), part_of(part.items.subspan(left))};
 }
 
-/// At most eight parts: the one with the largest surface is split first.
+/// At most eight parts: of those that do not fit into one node, the one with the largest surface is split
+/// first.
 std::vector<Part> parts_of(const Part& all, bool in_halves) {
   std::vector<Part> parts{all};
   while (parts.size() < node_width) {
-    const auto cost = [](const Part& p) { return p.items.size() < 2 ? -1 : p.bounds.area(); };
+    const auto cost = [](const Part& p) { return p.items.size() <= node_width ? -1 : p.bounds.area(); };
     const auto widest = std::max_element(parts.begin(), parts.end(),
                                          [&](const Part& a, const Part& b) { return cost(a) < cost(b); });
-    if (widest->items.size() < 2) break;
+    if (widest->items.size() <= node_width) break;
     const auto halves = split(*widest, in_halves);
     *widest = halves[0];
     parts.push_back(halves[1]);
   }
   return parts;
+}
+
+/// Parts whose items find room in the node itself give way to them, the largest surface first: nodes that are
+/// full are fewer.
+void dissolve(std::vector<Part>& parts) {
+  for (;;) {
+    const std::size_t room = node_width - parts.size() + 1;
+    auto best = parts.end();
+    for (auto part = parts.begin(); part != parts.end(); ++part) {
+      const bool fits = part->items.size() > 1 && part->items.size() <= room;
+      if (fits && (best == parts.end() || best->bounds.area() < part->bounds.area())) best = part;
+    }
+    if (best == parts.end()) return;
+    const std::span<Item> items = best->items;
+    *best = part_of(items.subspan(0, 1));
+    for (std::size_t i = 1; i < items.size(); ++i) parts.push_back(part_of(items.subspan(i, 1)));
+  }
 }
 
 void set_place(Node& node, std::size_t place, const Bounds& bounds, Ref ref) {
@@ -169,7 +187,8 @@ Ref build(const Part& all, int depth, std::vector<Node>& nodes) {
       set_place(nodes[self], i, {all.items[i].min, all.items[i].max}, all.items[i].ref);
     return {Kind::node, self};
   }
-  const std::vector<Part> parts = parts_of(all, depth > best_depth);
+  std::vector<Part> parts = parts_of(all, depth > best_depth);
+  dissolve(parts);
   std::vector<std::vector<Node>> apart(parts.size());
   const bool in_parallel = all.items.size() >= worth_a_task;
   if (in_parallel) {

@@ -206,7 +206,7 @@ class Shader final : public TileRenderer<Real> {
   template <bool any_hit>
   void send(Rays<Real>& rays, std::size_t begin, std::size_t size, bool knows_starts, Bundle& bundle) {
     ++statistics_.bundles;
-    Traversal<Real, any_hit> traversal(scene_, rays, begin, size, knows_starts, waiting_, statistics_);
+    Traversal<Real, any_hit> traversal(scene_, rays, begin, size, knows_starts, workspace_, statistics_);
     RayView<Real> view{&rays.origin, &rays.direction, &rays.per_direction, begin, true};
     traversal.follow(scene_.groups[0], bundle, view, 0);
   }
@@ -561,7 +561,7 @@ class Shader final : public TileRenderer<Real> {
   Lanes3<Real> delta_;  ///< of lights seen through glass
   Interiors<Real> interiors_;
   std::int32_t around_the_eye_ = Interiors<Real>::nothing;
-  WaitingNodes waiting_;
+  Workspace<Real> workspace_;
   Statistics statistics_;
 };
 

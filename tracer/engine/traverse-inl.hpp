@@ -87,10 +87,19 @@ struct Waiting {
   float t;
 };
 
-/// A stack for all groups on the way down.
-struct WaitingNodes {
+/// What a thread needs on the way down, through all groups: a stack, and the rays of each nested group.
+template <class Real>
+struct Workspace {
   std::vector<Waiting> nodes;
   std::size_t size = 0;
+  std::vector<std::unique_ptr<LocalRays<Real>>> local;
+  std::size_t nested = 0;
+
+  LocalRays<Real>& enter_group() {
+    if (local.size() <= nested) local.push_back(std::make_unique_for_overwrite<LocalRays<Real>>());
+    return *local[nested++];
+  }
+  void leave_group() { --nested; }
 };
 
 /// Finds what a bundle of rays meets: the nearest hit of each, or (any_hit) whether anything lies before t.
@@ -98,27 +107,27 @@ template <class Real, bool any_hit>
 class Traversal {
  public:
   Traversal(const CompiledScene<Real>& scene, Rays<Real>& rays, std::size_t begin, std::size_t size,
-            bool knows_starts, WaitingNodes& waiting, Statistics& statistics)
+            bool knows_starts, Workspace<Real>& workspace, Statistics& statistics)
       : scene_(scene),
         rays_(rays),
         begin_(begin),
         size_(size),
         knows_starts_(knows_starts),
-        waiting_(waiting),
+        workspace_(workspace),
         statistics_(statistics) {}
 
   HWY_NOINLINE void follow(const Group& group, Bundle& bundle, RayView<Real>& view, std::uint64_t first) {
     if (group.root.kind() == Kind::none) return;
-    const std::size_t bottom = waiting_.size;
-    waiting_.nodes.resize(std::max(waiting_.nodes.size(), bottom + greatest_depth * node_width));
+    const std::size_t bottom = workspace_.size;
+    workspace_.nodes.resize(std::max(workspace_.nodes.size(), bottom + greatest_depth * node_width));
     wait_for({group.root.index(), 0}, bottom);
-    while (waiting_.size > bottom && !all_are_hidden_) {
-      const Waiting next = waiting_.nodes[--waiting_.size];
+    while (workspace_.size > bottom && !all_are_hidden_) {
+      const Waiting next = workspace_.nodes[--workspace_.size];
       if (next.t > bundle.t_max) continue;
       ++statistics_.nodes;
       const Node& node = scene_.nodes[next.node];
       alignas(64) float entered[node_width];
-      const std::size_t inner = waiting_.size;
+      const std::size_t inner = workspace_.size;
       for (unsigned met = places_met(node, bundle, entered); met != 0; met &= met - 1) {
         const auto place = static_cast<unsigned>(__builtin_ctz(met));
         const Ref child = node.child[place];
@@ -129,7 +138,7 @@ class Traversal {
         }
       }
     }
-    waiting_.size = bottom;
+    workspace_.size = bottom;
   }
 
   /// Any lane may still be asked for.
@@ -177,8 +186,8 @@ class Traversal {
 
   /// The nearest is taken first.
   HWY_INLINE void wait_for(Waiting node, std::size_t inner) {
-    Waiting* const nodes = waiting_.nodes.data();
-    std::size_t to = waiting_.size++;
+    Waiting* const nodes = workspace_.nodes.data();
+    std::size_t to = workspace_.size++;
     if constexpr (!any_hit) {
       for (; to > inner && nodes[to - 1].t < node.t; --to) nodes[to] = nodes[to - 1];
     }
@@ -216,7 +225,7 @@ class Traversal {
   }
 
   HWY_NOINLINE bool meet_group(const Member<Real>& member, RayView<Real>& view, std::uint64_t first) {
-    const auto local = std::make_unique_for_overwrite<LocalRays<Real>>();
+    LocalRays<Real>* const local = &workspace_.enter_group();
     BoundsOfRays<Real> origins, directions;
     for (std::size_t i = 0; i < size_; i += lanes<Real>()) {
       const V3<Real> origin =
@@ -236,6 +245,7 @@ class Traversal {
     const std::uint64_t hits = hits_;
     RayView<Real> inside{&local->origin, &local->direction, &local->per_direction, 0, false};
     follow(group, bundle, inside, first + member.first);
+    workspace_.leave_group();
     return hits_ != hits;
   }
 
@@ -357,7 +367,7 @@ class Traversal {
   Rays<Real>& rays_;
   std::size_t begin_, size_;
   bool knows_starts_;
-  WaitingNodes& waiting_;
+  Workspace<Real>& workspace_;
   Statistics& statistics_;
   std::uint64_t hits_ = 0;
   bool all_are_hidden_ = false;
