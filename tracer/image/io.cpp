@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "tracer/image/codecs/codecs.hpp"
+#include "tracer/image/codecs/png_writer.hpp"
 #include "tracer/image/files.hpp"
 #include "tracer/image/mapped_file.hpp"
 #include "tracer/image/module.hpp"
@@ -32,23 +33,16 @@ Function oiio_symbol(const char* name) {
   return reinterpret_cast<Function>(module_symbol(oiio::module_name, name));
 }
 
-std::vector<float> as_floats(const std::vector<std::uint8_t>& bytes) {
-  std::vector<float> values(bytes.size());
-  std::transform(bytes.begin(), bytes.end(), values.begin(),
-                 [](std::uint8_t b) { return static_cast<float>(b) / 255; });
-  return values;
+void write_8_bit_png(const std::string& path, const Image& image, Encoding encoding) {
+  const auto write =
+      reinterpret_cast<codecs::WritePng>(module_symbol(codecs::module_name, codecs::write_png_symbol));
+  write_file(path, write(image.width, image.height, encode_8_bits(image, encoding)));
 }
 
-void write_through_oiio(const std::string& path, const Image& image, Encoding encoding) {
-  ImageFile pixels{image.width, image.height, 3, Sample::float32, {}};
-  oiio::Depth depth = oiio::Depth::float32;
-  if (encoding == Encoding::linear) {
-    pixels.values = image.rgb;
-    if (!is_float_format(extension_of(path))) depth = oiio::Depth::bits16_linear;
-  } else {
-    pixels.values = as_floats(encode_8_bits(image, encoding));
-    depth = oiio::Depth::bits8;
-  }
+/// Linear: floats, or 16 bits.
+void write_through_oiio(const std::string& path, const Image& image) {
+  const ImageFile pixels{image.width, image.height, 3, Sample::float32, image.rgb};
+  const oiio::Depth depth = is_float_format(extension_of(path)) ? oiio::Depth::float32 : oiio::Depth::bits16;
   std::string bytes;
   const std::string complaint = oiio_symbol<oiio::Write>(oiio::write_symbol)(path, pixels, depth, bytes);
   if (!complaint.empty()) throw std::runtime_error(path + ": cannot be written: " + complaint);
@@ -105,8 +99,10 @@ void write_image(const std::string& path, const Image& image, Encoding encoding)
     write_file(path, to_pfm(image));
   } else if (extension == ".ppm" || path == "-") {
     write_file(path, to_ppm(image.width, image.height, encode_8_bits(image, encoding)));
+  } else if (encoding != Encoding::linear) {
+    write_8_bit_png(path, image, encoding);
   } else {
-    write_through_oiio(path, image, encoding);
+    write_through_oiio(path, image);
   }
 }
 

@@ -13,9 +13,9 @@ namespace plumb {
 /// The encoding for a file that nobody chose one for: floats linear, PPM as the course, others sRGB.
 Encoding default_encoding(const std::string& path);
 
-/// Writes PFM and PPM itself, EXR (float, zip), PNG and the rest through OpenImageIO, which is loaded only
-/// then. PNG is 16 bits when linear, 8 otherwise. `-` writes to standard output: PFM when linear, else PPM.
-/// Throws std::runtime_error; then nothing half-written is left.
+/// Writes PFM and PPM itself. PNG is 16 bits when linear, 8 otherwise; that of 16 bits and EXR (float, zip)
+/// are written through OpenImageIO, which is loaded only then. `-` writes to standard output: PFM when
+/// linear, else PPM. Throws std::runtime_error; then nothing half-written is left.
 void write_image(const std::string& path, const Image& image, Encoding encoding);
 
 /// Values as they stand in the file (no gamma removed). Throws std::runtime_error.

@@ -12,9 +12,8 @@ namespace lib = OIIO;
 
 lib::ImageSpec spec_for(const ImageFile& pixels, Depth depth) {
   lib::ImageSpec spec(pixels.width, pixels.height, pixels.channels, lib::TypeDesc::FLOAT);
-  if (depth == Depth::bits16_linear) spec.format = lib::TypeDesc::UINT16;
-  if (depth == Depth::bits8) spec.format = lib::TypeDesc::UINT8;
-  spec.attribute("oiio:ColorSpace", depth == Depth::bits8 ? "sRGB" : "Linear");
+  if (depth == Depth::bits16) spec.format = lib::TypeDesc::UINT16;
+  spec.attribute("oiio:ColorSpace", "Linear");
   spec.attribute("compression", "zip");
   return spec;
 }

@@ -8,10 +8,10 @@
 
 namespace plumb::oiio {
 
-enum class Depth { float32, bits16_linear, bits8 };
+enum class Depth { float32, bits16 };
 
-/// Both return an empty string, or what went wrong. Writing goes to memory, in the format of the name:
-/// OpenImageIO does not notice a full disk.
+/// Both return an empty string, or what went wrong. Writing, of linear colours, goes to memory, in the format
+/// of the name: OpenImageIO does not notice a full disk.
 using Write = std::string (*)(const std::string& name, const ImageFile& pixels, Depth depth,
                               std::string& bytes);
 using Read = std::string (*)(const std::string& path, ImageFile& pixels);
