@@ -10,54 +10,19 @@
 #include <stdexcept>
 
 #include "tracer/engine/interiors.hpp"
+#include "tracer/engine/surfaces-inl.hpp"
 #include "tracer/engine/tile.hpp"
-#include "tracer/engine/traverse-inl.hpp"
-#include "tracer/formulas/box.hpp"
 #include "tracer/formulas/phong.hpp"
 #include "tracer/formulas/secondary.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace plumb::engine::HWY_NAMESPACE {
 
-/// One number of each lane's material.
-template <class Real>
-class MaterialLanes {
- public:
-  HWY_INLINE MaterialLanes(const std::vector<Material<Real>>& materials, const std::uint32_t* ids,
-                           bool is_one)
-      : base_(&materials[0].ambient.x), is_one_(is_one), id_(ids[0]), indices_(hn::Zero(Signed())) {
-    if (HWY_LIKELY(is_one)) return;
-    alignas(64) Word<Real> indices[widest_vector] = {};
-    for (std::size_t lane = 0; lane < lanes<Real>(); ++lane)
-      indices[lane] = static_cast<Word<Real>>(ids[lane] * stride);
-    indices_ = hn::BitCast(Signed(), hn::Load(WordTag<Real>(), indices));
-  }
-
-  HWY_INLINE V<Real> number(std::size_t at) const {
-    if (HWY_LIKELY(is_one_)) return set(base_[id_ * stride + at]);
-    return hn::GatherIndex(Tag<Real>(), base_ + at, indices_);
-  }
-  HWY_INLINE V3<Real> colour(std::size_t at) const { return {number(at), number(at + 1), number(at + 2)}; }
-
-  HWY_INLINE V3<Real> ambient() const { return colour(0); }
-  HWY_INLINE V3<Real> kd() const { return colour(3); }
-  HWY_INLINE V3<Real> ks() const { return colour(6); }
-  HWY_INLINE V<Real> m() const { return number(9); }
-
- private:
-  using Signed = hn::RebindToSigned<Tag<Real>>;
-  static constexpr std::size_t stride = sizeof(Material<Real>) / sizeof(Real);
-  const Real* base_;
-  bool is_one_;
-  std::size_t id_;
-  hn::Vec<Signed> indices_;
-};
-
 template <class Real>
 class Shader final : public TileRenderer<Real> {
  public:
   Shader(const CompiledScene<Real>& scene, const View<Real>& view)
-      : scene_(scene), view_(view), width_limit_(widest_bundle(scene)) {
+      : scene_(scene), view_(view), surfaces_(scene), finder_(scene, statistics_) {
     for (const EnclosingDielectric& around : view.around_the_eye)
       around_the_eye_ =
           interiors_.cross(around_the_eye_, around.instance, static_cast<Real>(around.eta)).interior;
@@ -155,78 +120,9 @@ class Shader final : public TileRenderer<Real> {
       store<Real>(set(std::numeric_limits<Real>::infinity()), &level.rays.t[i]);
       hn::StoreU(hn::Zero(w), w, &level.rays.ref[i]);
     }
-    find<false>(level.rays, 0, level.size, index > 0, nullptr);
+    finder_.template find<false>(level.rays, 0, level.size, index > 0, nullptr);
     shade(level);
     if (scene_.mirrors || scene_.transmits) send_on(index);
-  }
-
-  /// Sends rays through the hierarchy in bundles that are narrow, compared with what they are to find.
-  template <bool any_hit>
-  void find(Rays<Real>& rays, std::size_t begin, std::size_t size, bool knows_starts,
-            const Vec3<Real>* light) {
-    if (size == 1 && light == nullptr) return find_one<any_hit>(rays, begin, knows_starts);
-    BoundsOfRays<Real> origins, directions;
-    bool any = false;
-    for (std::size_t i = begin; i < begin + size; i += lanes<Real>()) {
-      const M<Real> is_asked = hn::And(first<Real>(begin + size - i), hn::Ge(load(&rays.t[i]), set(Real(0))));
-      any = any || !none<Real>(is_asked);
-      origins.add(is_asked, load3(rays.origin, i));
-      if (light == nullptr) directions.add(is_asked, load3(rays.direction, i));
-    }
-    if (!any) return;
-    const Group& world = scene_.groups[0];
-    RayBounds bounds{origins.min(), origins.max(), {}, {}};
-    if (light == nullptr) {
-      bounds.slope_min = directions.min();
-      bounds.slope_max = directions.max();
-    } else {  // all end at the light
-      bounds.slope_min = Vec3<double>(*light) - bounds.origin_min;
-      bounds.slope_max = Vec3<double>(*light) - bounds.origin_max;
-    }
-    if (size > 1 && (size > most_in_bundle || width_of(bounds, world) > width_limit_)) {
-      const std::size_t half =
-          size > 2 * lanes<Real>() ? size / 2 / lanes<Real>() * lanes<Real>() : (size + 1) / 2;
-      find<any_hit>(rays, begin, half, knows_starts, light);
-      find<any_hit>(rays, begin + half, size - half, knows_starts, light);
-      return;
-    }
-    Bundle bundle(bounds, world);
-    if (light != nullptr) bundle.limit(1);
-    send<any_hit>(rays, begin, size, knows_starts, bundle);
-  }
-
-  template <bool any_hit>
-  void find_one(Rays<Real>& rays, std::size_t i, bool knows_starts) {
-    if (rays.t[i] < 0) return;
-    const Vec3<double> origin(at(rays.origin, i)), direction(at(rays.direction, i));
-    Bundle bundle({origin, origin, direction, direction}, scene_.groups[0]);
-    send<any_hit>(rays, i, 1, knows_starts, bundle);
-  }
-
-  template <bool any_hit>
-  void send(Rays<Real>& rays, std::size_t begin, std::size_t size, bool knows_starts, Bundle& bundle) {
-    ++statistics_.bundles;
-    Traversal<Real, any_hit> traversal(scene_, rays, begin, size, knows_starts, workspace_, statistics_);
-    RayView<Real> view{&rays.origin, &rays.direction, &rays.per_direction, begin, true};
-    traversal.follow(scene_.groups[0], bundle, view, 0);
-  }
-
-  /// A few objects are quickest tested by all rays; otherwise a bundle is no wider than some of them.
-  static double widest_bundle(const CompiledScene<Real>& scene) {
-    if (scene.has_few_objects) return std::numeric_limits<double>::infinity();
-    return 5 * scene.groups[0].typical_size;
-  }
-
-  /// Of a bundle at its start and where it passes the middle of the scene, in the units of the world.
-  static double width_of(const RayBounds& b, const Group& world) {
-    const Vec3<double> center = (b.origin_min + b.origin_max) * 0.5 - world.center;
-    const double way = std::max(1 / world.scale, glm::length(center));
-    double widest = 0;
-    for (int k = 0; k < 3; ++k) {
-      const double start = b.origin_max[k] - b.origin_min[k];
-      widest = std::max({widest, start, start + way * (b.slope_max[k] - b.slope_min[k])});
-    }
-    return widest * world.scale;
   }
 
   void shade(Level<Real>& level) {
@@ -247,7 +143,7 @@ class Shader final : public TileRenderer<Real> {
       store_start(shadow_.rays, i, point);
       hn::StoreU(refs, w, &shadow_.rays.start[i]);
       hn::StoreU(hn::LoadU(w, &level.rays.face[i]), w, &shadow_.rays.start_face[i]);
-      set_normals(level, i, point);
+      surfaces_.set_normals(level, i, point);
       const V3<Real> normal = normalised<Real>(load3(level.normal, i));
       const M<Real> is_away = hn::Gt(dot<Real>(normal, direction), set(Real(0)));
       store3<Real>(where<Real>(is_away, {hn::Neg(normal.x), hn::Neg(normal.y), hn::Neg(normal.z)}, normal),
@@ -257,99 +153,6 @@ class Shader final : public TileRenderer<Real> {
     }
     if (!scene_.members.empty()) shadow_.rays.start_instance = level.rays.instance;
     for (const Light<Real>& light : scene_.lights) light_up(level, light);
-  }
-
-  /// Outward normals, of any length, and materials of what a vector of rays has hit.
-  HWY_INLINE void set_normals(Level<Real>& level, std::size_t i, const V3<Real>& point) {
-    const WordTag<Real> w;
-    const std::size_t count = std::min(lanes<Real>(), level.size - i);
-    const Ref one(static_cast<std::uint32_t>(level.rays.ref[i]));
-    const auto is_one = hn::Eq(hn::LoadU(w, &level.rays.ref[i]), hn::Set(w, level.rays.ref[i]));
-    const bool is_flat = scene_.members.empty() && (one.kind() == Kind::sphere || one.kind() == Kind::box);
-    if (is_flat && (hn::AllTrue(w, is_one))) {
-      const std::uint32_t material = label(one).material;
-      for (std::size_t lane = 0; lane < lanes<Real>(); ++lane) level.material[i + lane] = material;
-      level.is_of_one[i] = true;
-      if (one.kind() == Kind::sphere)
-        store3<Real>(sub<Real>(point, set3(scene_.spheres[one.index()].center)), level.normal, i);
-      else
-        store3<Real>(face_normals(hn::LoadU(w, &level.rays.face[i])), level.normal, i);
-      return;
-    }
-    level.is_of_one[i] = true;
-    for (std::size_t lane = i; lane < i + lanes<Real>(); ++lane) {
-      const Ref ref(lane < i + count ? static_cast<std::uint32_t>(level.rays.ref[lane]) : 0);
-      level.material[lane] = ref.bits == 0 ? level.material[i] : label(ref).material;
-      if (ref.bits == 0 && lane == i) level.material[i] = 0;
-      level.is_of_one[i] &= level.material[lane] == level.material[i];
-      set_normal(level, lane, ref.bits == 0 ? Vec3<Real>(0, 0, 1) : normal_at(level, lane, ref));
-    }
-  }
-  HWY_INLINE static V3<Real> face_normals(W<Real> face) {
-    return {face_normal(face, 0), face_normal(face, 1), face_normal(face, 2)};
-  }
-  HWY_INLINE static V<Real> face_normal(W<Real> face, unsigned axis) {
-    const Tag<Real> d;
-    const WordTag<Real> w;
-    const auto low = hn::RebindMask(d, hn::Eq(face, hn::Set(w, static_cast<Word<Real>>(2 * axis))));
-    const auto high = hn::RebindMask(d, hn::Eq(face, hn::Set(w, static_cast<Word<Real>>(2 * axis + 1))));
-    return hn::IfThenElseZero(hn::Or(low, high), hn::IfThenElse(low, set(Real(-1)), set(Real(1))));
-  }
-  Vec3<Real> normal_at(const Level<Real>& level, std::size_t lane, Ref ref) const {
-    const Rays<Real>& rays = level.rays;
-    const Face face = static_cast<Face>(rays.face[lane]);
-    if (scene_.members.empty() && ref.kind() == Kind::sphere)
-      return at(level.point, lane) - scene_.spheres[ref.index()].center;
-    if (scene_.members.empty() && ref.kind() == Kind::box) return formulas::box_normal<Real>(face);
-    return normal_in(scene_.groups[0], rays.instance[lane], at(rays.origin, lane), at(rays.direction, lane),
-                     rays.t[lane], ref, face);
-  }
-  static void set_normal(Level<Real>& level, std::size_t lane, const Vec3<Real>& n) {
-    level.normal.x[lane] = n.x;
-    level.normal.y[lane] = n.y;
-    level.normal.z[lane] = n.z;
-  }
-  static Vec3<Real> at(const Lanes3<Real>& from, std::size_t lane) {
-    return {from.x[lane], from.y[lane], from.z[lane]};
-  }
-
-  const Label& label(Ref ref) const {
-    if (ref.kind() == Kind::placed) return label(scene_.placed[ref.index()].shape);
-    return ref.kind() == Kind::sphere ? scene_.sphere_labels[ref.index()] : scene_.box_labels[ref.index()];
-  }
-
-  static Vec3<Real> vector_in(const Affine<Real>& m, const Vec3<Real>& v) {
-    return m.x * v.x + m.y * v.y + m.z * v.z;
-  }
-  /// Slide "Anwendung": (M^-1)^T n.
-  static Vec3<Real> normal_out(const Affine<Real>& inverse, const Vec3<Real>& n) {
-    return {glm::dot(inverse.x, n), glm::dot(inverse.y, n), glm::dot(inverse.z, n)};
-  }
-
-  /// Slide "Composite, DAG": the normal of a hit in the space of a group, through all matrices on its path.
-  Vec3<Real> normal_in(const Group& group, std::uint64_t instance, const Vec3<Real>& origin,
-                       const Vec3<Real>& direction, Real t, Ref ref, Face face) const {
-    const auto begin = scene_.members.begin() + group.first_member, end = begin + group.members;
-    auto member = std::upper_bound(
-        begin, end, instance, [](std::uint64_t number, const Member<Real>& m) { return number < m.first; });
-    if (member != begin && instance < (member - 1)->first + (member - 1)->count) {
-      --member;
-      const Affine<Real>& m = member->member_from_group;
-      return normal_out(m, normal_in(scene_.groups[member->group], instance - member->first,
-                                     vector_in(m, origin) + m.origin, vector_in(m, direction), t, ref, face));
-    }
-    if (ref.kind() == Kind::placed) {
-      const Placed<Real>& placed = scene_.placed[ref.index()];
-      const Affine<Real>& m = placed.object_from_group;
-      return normal_out(
-          m, normal_of(placed.shape, vector_in(m, origin) + m.origin, vector_in(m, direction), t, face));
-    }
-    return normal_of(ref, origin, direction, t, face);
-  }
-  Vec3<Real> normal_of(Ref shape, const Vec3<Real>& origin, const Vec3<Real>& direction, Real t,
-                       Face face) const {
-    if (shape.kind() == Kind::box) return formulas::box_normal<Real>(face);
-    return origin + t * direction - scene_.spheres[shape.index()].center;
   }
 
   /// Slides "Lambert", "Phong", "Schatten", "Vollstaendiges Modell": adds one light to all points.
@@ -380,7 +183,7 @@ class Shader final : public TileRenderer<Real> {
     if (view_.options.shadows && through_glass)
       look_through_glass(level);
     else if (view_.options.shadows)
-      find<true>(shadow, 0, level.size, true, &light.position);
+      finder_.template find<true>(shadow, 0, level.size, true, &light.position);
     for (std::size_t i = 0; i < level.size; i += lanes<Real>()) {
       const M<Real> is_lit = hn::Gt(load(&shadow.t[i]), set(Real(0)));
       if (none<Real>(is_lit)) continue;
@@ -427,7 +230,7 @@ class Shader final : public TileRenderer<Real> {
         walk.t[i] = state[i] == walking ? std::numeric_limits<Real>::infinity() : Real(-1);
         walk.ref[i] = 0;
       }
-      find<false>(walk, 0, level.size, true, nullptr);
+      finder_.template find<false>(walk, 0, level.size, true, nullptr);
       for (std::size_t i = 0; i < level.size; ++i) {
         if (state[i] != walking) continue;
         const Ref ref(static_cast<std::uint32_t>(walk.ref[i]));
@@ -435,7 +238,7 @@ class Shader final : public TileRenderer<Real> {
           state[i] = lit;
           continue;
         }
-        const Rgb<Real>& kt = scene_.materials[label(ref).material].kt;
+        const Rgb<Real>& kt = scene_.materials[surfaces_.label(ref).material].kt;
         if (kt == Rgb<Real>(0)) {
           state[i] = hidden;
           continue;
@@ -457,7 +260,7 @@ class Shader final : public TileRenderer<Real> {
     walk.origin.x[i] += walk.t[i] * walk.direction.x[i];
     walk.origin.y[i] += walk.t[i] * walk.direction.y[i];
     walk.origin.z[i] += walk.t[i] * walk.direction.z[i];
-    walk.t_min[i] = smallest_t(at(walk.origin, i));
+    walk.t_min[i] = smallest_t(vector_at(walk.origin, i));
     walk.start[i] = walk.ref[i];
     walk.start_face[i] = walk.face[i];
     walk.start_instance[i] = walk.instance[i];
@@ -485,7 +288,7 @@ class Shader final : public TileRenderer<Real> {
   void send_from(std::size_t index, std::size_t i, const Material<Real>& material, bool mirrors,
                  bool transmits) {
     const Level<Real>& level = *levels_[index];
-    const Vec3<Real> d = at(level.rays.direction, i), n = at(level.normal, i);
+    const Vec3<Real> d = vector_at(level.rays.direction, i), n = vector_at(level.normal, i);
     const int depth = level.depth[i] + 1;
     const bool is_last = depth >= view_.options.depth;
     typename Interiors<Real>::Crossed beyond{level.interior[i], Real(1)};
@@ -515,7 +318,7 @@ class Shader final : public TileRenderer<Real> {
     const Level<Real>& level = *levels_[index];
     Level<Real>& next = *levels_[index + 1];
     const std::size_t to = next.size++;
-    const Vec3<Real> point = at(level.point, i);
+    const Vec3<Real> point = vector_at(level.point, i);
     put(next.rays.origin, to, point);
     put(next.rays.direction, to, direction);
     put(next.weight, to, weight);
@@ -550,19 +353,18 @@ class Shader final : public TileRenderer<Real> {
   }
 
   static constexpr std::uint16_t most_unbent = 1000;
-  static constexpr std::size_t most_in_bundle = 64;
 
   const CompiledScene<Real>& scene_;
   const View<Real>& view_;
-  const double width_limit_;
   std::vector<std::unique_ptr<Level<Real>>> levels_;
   ShadowRays<Real> shadow_;
   Lanes3<Real> sum_;    ///< of the samples of a tile
   Lanes3<Real> delta_;  ///< of lights seen through glass
   Interiors<Real> interiors_;
   std::int32_t around_the_eye_ = Interiors<Real>::nothing;
-  Workspace<Real> workspace_;
   Statistics statistics_;
+  Surfaces<Real> surfaces_;
+  Finder<Real> finder_;
 };
 
 }  // namespace plumb::engine::HWY_NAMESPACE

@@ -141,7 +141,7 @@ class Traversal {
     workspace_.size = bottom;
   }
 
-  /// Any lane may still be asked for.
+  /// The largest t of the bundle: how far any of its rays still looks.
   Real farthest() const {
     V<Real> all = set(-std::numeric_limits<Real>::infinity());
     for (std::size_t i = 0; i < size_; i += lanes<Real>())
@@ -312,7 +312,6 @@ class Traversal {
   /// Keeps what is nearer than all so far. What rounding cannot tell apart is one place, and the first
   /// instance is taken (as the textbook tracer does it).
   HWY_INLINE void accept(const Met<Real>& met, Ref ref, std::uint64_t instance, std::size_t i, bool is_box) {
-    const Tag<Real> d;
     const WordTag<Real> w;
     Real* const best = &rays_.t[begin_ + i];
     const V<Real> nearest = load(best), t_min = load(&rays_.t_min[begin_ + i]);
@@ -344,7 +343,6 @@ class Traversal {
       for (unsigned bits = bits_of<Real>(mask); bits != 0; bits &= bits - 1)
         rays_.instance[begin_ + i + static_cast<unsigned>(__builtin_ctz(bits))] = instance;
     }
-    (void)d;
   }
 
   /// The lanes of a tie whose instance so far comes first.

@@ -1,0 +1,107 @@
+// Rays of a stream, sent through the hierarchy in bundles.
+
+#if defined(PLUMB_ENGINE_FIND_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef PLUMB_ENGINE_FIND_INL
+#undef PLUMB_ENGINE_FIND_INL
+#else
+#define PLUMB_ENGINE_FIND_INL
+#endif
+
+#include "tracer/engine/traverse-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace plumb::engine::HWY_NAMESPACE {
+
+template <class Real>
+HWY_INLINE Vec3<Real> vector_at(const Lanes3<Real>& from, std::size_t lane) {
+  return {from.x[lane], from.y[lane], from.z[lane]};
+}
+
+/// Finds what rays meet first, or whether they meet anything, for one thread.
+template <class Real>
+class Finder {
+ public:
+  Finder(const CompiledScene<Real>& scene, Statistics& statistics)
+      : scene_(scene), statistics_(statistics), width_limit_(widest_bundle(scene)) {}
+
+  /// Sends rays through the hierarchy in bundles that are narrow, compared with what they are to find.
+  template <bool any_hit>
+  void find(Rays<Real>& rays, std::size_t begin, std::size_t size, bool knows_starts,
+            const Vec3<Real>* light) {
+    if (size == 1 && light == nullptr) return find_one<any_hit>(rays, begin, knows_starts);
+    BoundsOfRays<Real> origins, directions;
+    bool any = false;
+    for (std::size_t i = begin; i < begin + size; i += lanes<Real>()) {
+      const M<Real> is_asked = hn::And(first<Real>(begin + size - i), hn::Ge(load(&rays.t[i]), set(Real(0))));
+      any = any || !none<Real>(is_asked);
+      origins.add(is_asked, load3(rays.origin, i));
+      if (light == nullptr) directions.add(is_asked, load3(rays.direction, i));
+    }
+    if (!any) return;
+    const Group& world = scene_.groups[0];
+    RayBounds bounds{origins.min(), origins.max(), {}, {}};
+    if (light == nullptr) {
+      bounds.slope_min = directions.min();
+      bounds.slope_max = directions.max();
+    } else {  // all end at the light
+      bounds.slope_min = Vec3<double>(*light) - bounds.origin_min;
+      bounds.slope_max = Vec3<double>(*light) - bounds.origin_max;
+    }
+    if (size > 1 && (size > most_in_bundle || width_of(bounds, world) > width_limit_)) {
+      const std::size_t half =
+          size > 2 * lanes<Real>() ? size / 2 / lanes<Real>() * lanes<Real>() : (size + 1) / 2;
+      find<any_hit>(rays, begin, half, knows_starts, light);
+      find<any_hit>(rays, begin + half, size - half, knows_starts, light);
+      return;
+    }
+    Bundle bundle(bounds, world);
+    if (light != nullptr) bundle.limit(1);
+    send<any_hit>(rays, begin, size, knows_starts, bundle);
+  }
+
+ private:
+  template <bool any_hit>
+  void find_one(Rays<Real>& rays, std::size_t i, bool knows_starts) {
+    if (rays.t[i] < 0) return;
+    const Vec3<double> origin(vector_at(rays.origin, i)), direction(vector_at(rays.direction, i));
+    Bundle bundle({origin, origin, direction, direction}, scene_.groups[0]);
+    send<any_hit>(rays, i, 1, knows_starts, bundle);
+  }
+
+  template <bool any_hit>
+  void send(Rays<Real>& rays, std::size_t begin, std::size_t size, bool knows_starts, Bundle& bundle) {
+    ++statistics_.bundles;
+    Traversal<Real, any_hit> traversal(scene_, rays, begin, size, knows_starts, workspace_, statistics_);
+    RayView<Real> view{&rays.origin, &rays.direction, &rays.per_direction, begin, true};
+    traversal.follow(scene_.groups[0], bundle, view, 0);
+  }
+
+  /// A few objects are quickest tested by all rays; otherwise a bundle is no wider than some of them.
+  static double widest_bundle(const CompiledScene<Real>& scene) {
+    if (scene.has_few_objects) return std::numeric_limits<double>::infinity();
+    return 5 * scene.groups[0].typical_size;
+  }
+
+  /// Of a bundle at its start and where it passes the middle of the scene, in the units of the world.
+  static double width_of(const RayBounds& b, const Group& world) {
+    const Vec3<double> center = (b.origin_min + b.origin_max) * 0.5 - world.center;
+    const double way = std::max(1 / world.scale, glm::length(center));
+    double widest = 0;
+    for (int k = 0; k < 3; ++k) {
+      const double start = b.origin_max[k] - b.origin_min[k];
+      widest = std::max({widest, start, start + way * (b.slope_max[k] - b.slope_min[k])});
+    }
+    return widest * world.scale;
+  }
+
+  static constexpr std::size_t most_in_bundle = 64;
+
+  const CompiledScene<Real>& scene_;
+  Statistics& statistics_;
+  const double width_limit_;
+  Workspace<Real> workspace_;
+};
+
+}  // namespace plumb::engine::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
