@@ -6,9 +6,13 @@
 
 namespace plumb::references {
 
+Renderer renderer_for(Renderer asked, RealType real) {
+  return real == RealType::long_double ? Renderer::textbook : asked;
+}
+
 Image render(Renderer renderer, const Scene& scene, const Camera& camera, const RenderJob& job,
              engine::Statistics* statistics) {
-  if (renderer == Renderer::engine && job.real != RealType::long_double)
+  if (renderer_for(renderer, job.real) == Renderer::engine)
     return engine::render(scene, camera, job, statistics);
   const engine::Stopwatch watch;
   Image image = textbook::render(scene, camera, job);

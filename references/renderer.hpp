@@ -11,6 +11,9 @@ namespace plumb::references {
 /// The readable one, or the fast one; both give the same picture.
 enum class Renderer { textbook, engine };
 
+/// What renders when this one is asked for a picture in that real type.
+Renderer renderer_for(Renderer asked, RealType real);
+
 /// The engine knows float and double; what is asked of it in another real type, the textbook tracer renders.
 /// `statistics` may be null; of the textbook tracer they say the time alone.
 Image render(Renderer renderer, const Scene& scene, const Camera& camera, const RenderJob& job,

@@ -121,10 +121,10 @@ Command add_explain(CLI::App& plumb) {
       "explain", "Print the rays of one pixel: what each meets, every term of every light, and the sum.");
   auto options = std::make_shared<Options>();
   app->add_option("SCENE", options->scene, "scene file")->required();
-  app->add_option("X", options->x, "column, counted from 0")->required()->check(CLI::NonNegativeNumber);
+  app->add_option("X", options->x, "column, counted from 0")->required()->check(CLI::Range(0, 65534));
   app->add_option("Y", options->y, "row, counted from 0, row 0 on top")
       ->required()
-      ->check(CLI::NonNegativeNumber);
+      ->check(CLI::Range(0, 65534));
   app->add_flag("--stored", options->stored, "take the reference's value from the stored images");
   app->add_option("--json", options->json, "write the ray tree as JSON; - is standard output")
       ->type_name("FILE");

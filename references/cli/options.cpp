@@ -48,7 +48,8 @@ void add_scene_options(CLI::App& app, SceneOptions& options) {
 }
 
 void add_real(CLI::App& app, SceneOptions& options) {
-  app.add_option("--real", options.real, "type of real numbers")
+  app.add_option("--real", options.real,
+                 "type of real numbers; long-double is rendered by the textbook tracer")
       ->check(CLI::IsMember({"float", "double", "long-double"}))
       ->capture_default_str();
   app.add_option(

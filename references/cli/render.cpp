@@ -54,7 +54,9 @@ SamplePattern pattern_of(const Options& options) {
 
 void report(const Options& options, const RenderJob& job, RenderStatistics& statistics) {
   statistics.scene = options.scene;
-  statistics.engine = options.common.engine;
+  statistics.has_counts =
+      references::renderer_for(renderer_of(options.common), job.real) == references::Renderer::engine;
+  statistics.engine = statistics.has_counts ? "engine" : "textbook";
   statistics.real = options.common.real;
   statistics.width = job.width;
   statistics.height = job.height;
@@ -76,6 +78,9 @@ int render(const Options& options) {
   if (const auto complaint = complaint_about(path, encoding)) {
     throw std::invalid_argument(in_quotes(path) + ": " + *complaint);
   }
+  if (path == "-" && options.statistics_json == "-")
+    throw std::invalid_argument(
+        "found the picture and the statistics on standard output, expected one of them; name a file");
   RenderJob job;
   job.width = view.size.width;
   job.height = view.size.height;
@@ -116,7 +121,9 @@ Command add_render(CLI::App& plumb) {
          "Default: linear for floats, srgb for png, course for ppm")
       ->check(CLI::IsMember({"linear", "srgb", "course"}));
   app->add_option("--threads", options->threads, "threads; default: all")->check(CLI::Range(1, 1024));
-  app->add_option("--samples", options->samples, "samples of a pixel, averaged; one is the pixel's centre")
+  app->add_option(
+         "--samples", options->samples,
+         "samples of a pixel, averaged; one is the pixel's centre, and all that the textbook tracer takes")
       ->type_name("N")
       ->check(CLI::Range(1, 65536))
       ->capture_default_str();

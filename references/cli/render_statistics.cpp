@@ -35,9 +35,10 @@ std::string as_text(const RenderStatistics& s) {
                 s.counts.bytes, per_object(s.counts));
   std::string text = "kernel   " + s.counts.kernel + "\n";
   text += "reading  " + milliseconds(s.read) + "\n";
-  text += "building " + milliseconds(s.counts.build) + "; " + bytes + "\n";
+  if (s.has_counts) text += "building " + milliseconds(s.counts.build) + "; " + bytes + "\n";
   text += "render   " + milliseconds(s.counts.render) + "\n";
   text += "writing  " + milliseconds(s.write) + "\n";
+  if (!s.has_counts) return text;
   text += "rays    ";
   for (const auto& [kind, count] : rays_of(s.counts))
     text += std::string(" ") + kind + " " + std::to_string(count);
@@ -47,10 +48,8 @@ std::string as_text(const RenderStatistics& s) {
 }
 
 std::string as_json(const RenderStatistics& s) {
-  nlohmann::ordered_json json{{"scene", s.scene},        {"engine", s.engine},
-                              {"real", s.real},          {"width", s.width},
-                              {"height", s.height},      {"kernel", s.counts.kernel},
-                              {"bytes", s.counts.bytes}, {"objects", s.counts.objects}};
+  nlohmann::ordered_json json{{"scene", s.scene}, {"engine", s.engine}, {"real", s.real},
+                              {"width", s.width}, {"height", s.height}, {"kernel", s.counts.kernel}};
   for (const auto& [name, seconds] : {std::pair{"read", s.read},
                                       {"build", s.counts.build},
                                       {"render", s.counts.render},
@@ -58,6 +57,9 @@ std::string as_json(const RenderStatistics& s) {
     json["seconds"][name] = seconds.wall;
     json["cpu_seconds"][name] = seconds.cpu;
   }
+  if (!s.has_counts) return json.dump(2) + "\n";
+  json["bytes"] = s.counts.bytes;
+  json["objects"] = s.counts.objects;
   for (const auto& [kind, count] : rays_of(s.counts)) json["rays"][kind] = count;
   json["bundles"] = s.counts.bundles;
   json["nodes"] = s.counts.nodes;

@@ -11,6 +11,7 @@ struct RenderStatistics {
   std::string scene, engine, real;
   int width = 0, height = 0;
   engine::Seconds read, write;
+  bool has_counts = true;  ///< of rays and objects: the textbook tracer counts nothing
   engine::Statistics counts;
 };
 

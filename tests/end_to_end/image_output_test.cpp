@@ -200,6 +200,23 @@ TEST_F(ImageOutput, APngCanHoldTheCourseEncoding) {
   expect_equal("expected.ppm", "image.png", "1e-6");
 }
 
+/// Its start would take longer than the render.
+TEST_F(ImageOutput, AnEightBitPngIsWrittenAndReadWithoutOpenImageIO) {
+  const std::filesystem::path built(PLUMB_BINARY);
+  std::filesystem::create_directory(workplace_.path("copy"));
+  for (const std::string& name : {built.filename().string(), std::string("plumb_codecs.so")})
+    std::filesystem::copy_file(built.parent_path() / name, workplace_.path("copy/" + name));
+  workplace_.file("scene.sdf", std::string(ball_scene));
+  const auto run = [&](const std::string& arguments) {
+    return run_shell("copy/" + built.filename().string() + " " + arguments, workplace_.directory());
+  };
+  const auto rendered_there = run("render scene.sdf -o image.png");
+  EXPECT_EQ(rendered_there.exit_code, 0) << rendered_there.output;
+  const auto compared = run("compare image.png image.png");
+  EXPECT_EQ(compared.exit_code, 0) << compared.output;
+  expect_trouble(run("render scene.sdf -o image.exr"), {"plumb_openimageio.so"});
+}
+
 TEST_F(ImageOutput, ALinearPngHasSixteenBitsAndSaysSo) {
   const Picture picture = rendered();
   ASSERT_EQ(render({"-o", "image.png", "--encode", "linear"}).exit_code, 0);

@@ -44,6 +44,17 @@ TEST_F(Render, StatisticsCountTheRays) {
   EXPECT_NE(json["kernel"].get<std::string>().find("no secondary rays"), std::string::npos);
 }
 
+TEST_F(Render, StatisticsOfTheTextbookTracerAreItsTimesAlone) {
+  for (const char* option : {"--engine=textbook", "--real=long-double"}) {
+    EXPECT_EQ(render({"-o", "a.pfm", option, "--stats-json", "stats.json"}).exit_code, 0);
+    const auto json = nlohmann::json::parse(bytes("stats.json"));
+    EXPECT_EQ(json["engine"], "textbook");
+    EXPECT_GT(json["seconds"]["render"], 0);
+    EXPECT_FALSE(json.contains("rays"));
+  }
+  EXPECT_EQ(render({"-o", "-", "--stats-json", "-"}).exit_code, 2);
+}
+
 TEST_F(Render, SamplesSmoothTheEdgeAndLeaveTheRest) {
   EXPECT_EQ(render({"-o", "one.pfm"}).exit_code, 0);
   EXPECT_EQ(render({"-o", "sixteen.pfm", "--samples", "16", "--stats-json", "stats.json"}).exit_code, 0);

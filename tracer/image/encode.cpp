@@ -1,6 +1,8 @@
 #include "tracer/image/encode.hpp"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 
 namespace plumb {
@@ -22,20 +24,81 @@ std::uint8_t srgb_8_bits(float c) {
   return static_cast<std::uint8_t>(std::lround(255 * curve));
 }
 
-std::vector<std::uint8_t> encode_8_bits(const Image& image, Encoding encoding) {
-  std::vector<std::uint8_t> bytes(image.rgb.size());
-  std::transform(image.rgb.begin(), image.rgb.end(), bytes.begin(), [&](float c) {
-    switch (encoding) {
-      case Encoding::srgb:
-        return srgb_8_bits(c);
-      case Encoding::course:
-        return truncated_to_8_bits(tone_mapped(c));
-      case Encoding::linear:
-        break;
+namespace {
+
+/// The bits of the least colour that becomes the level n, 1 to 255, or more: near where the inverse of the
+/// curve says.
+std::uint32_t least_of_level(std::uint32_t n) {
+  const double curve = (n - 0.5) / 255;
+  const double guess = curve <= 0.04045 ? curve / 12.92 : std::pow((curve + 0.055) / 1.055, 2.4);
+  auto c = static_cast<float>(guess);
+  while (srgb_8_bits(c) >= n) c = std::nextafter(c, 0.0F);
+  while (srgb_8_bits(c) < n) c = std::nextafter(c, 1.0F);
+  return std::bit_cast<std::uint32_t>(c);
+}
+
+/// srgb_8_bits() by a table, with the same results. Colours that share exponent and 7 bits of mantissa are a
+/// bucket; the levels are so far apart that a bucket has at most two. The other 16 bits of mantissa, added to
+/// the bucket's number, carry into its upper half, the level, from the second level's least colour on.
+class SrgbTable {
+ public:
+  SrgbTable() {
+    std::uint32_t level = 0;
+    std::uint32_t next = least_of_level(1);
+    for (std::uint32_t i = 0; i < buckets_.size(); ++i) {
+      const std::uint32_t end = (first_bucket + i + 1) << low_bits;
+      const bool has_next = level < 255 && next < end;
+      buckets_[i] = (level << low_bits) + (has_next ? end - next : 0);
+      if (has_next && ++level < 255) next = least_of_level(level + 1);
     }
-    return truncated_to_8_bits(c);
-  });
+  }
+  std::vector<std::uint8_t> operator()(const std::vector<float>& colours) const {
+    std::vector<std::uint8_t> bytes(colours.size());
+    for (std::size_t done = 0; done < bytes.size(); done += block)
+      encode(&colours[done], std::min(block, bytes.size() - done), &bytes[done]);
+    return bytes;
+  }
+
+ private:
+  /// In two loops: the first is done in vectors, and so without branches on colours.
+  void encode(const float* colours, std::size_t count, std::uint8_t* bytes) const {
+    std::array<std::uint32_t, block> clamped;
+    for (std::size_t i = 0; i < count; ++i) {
+      const float raised = colours[i] > lowest ? colours[i] : lowest;  // a NaN, too
+      clamped[i] = std::bit_cast<std::uint32_t>(raised < 1 ? raised : 1.0F);
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::uint32_t bucket = buckets_[(clamped[i] >> low_bits) - first_bucket];
+      bytes[i] = static_cast<std::uint8_t>((bucket + (clamped[i] & low_mask)) >> low_bits);
+    }
+  }
+
+  static constexpr std::size_t block = 256;
+  static constexpr float lowest = 0x1p-13F;  // black still
+  static constexpr int low_bits = 16;
+  static constexpr std::uint32_t low_mask = (1U << low_bits) - 1;
+  static constexpr std::uint32_t first_bucket = std::bit_cast<std::uint32_t>(lowest) >> low_bits;
+  static constexpr std::uint32_t last_bucket = std::bit_cast<std::uint32_t>(1.0F) >> low_bits;
+  std::array<std::uint32_t, last_bucket - first_bucket + 1> buckets_{};
+};
+
+template <class Encode>
+std::vector<std::uint8_t> each(const std::vector<float>& colours, Encode encode) {
+  std::vector<std::uint8_t> bytes(colours.size());
+  std::transform(colours.begin(), colours.end(), bytes.begin(), encode);
   return bytes;
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> encode_8_bits(const Image& image, Encoding encoding) {
+  if (encoding == Encoding::srgb) {
+    static const SrgbTable table;
+    return table(image.rgb);
+  }
+  if (encoding == Encoding::course)
+    return each(image.rgb, [](float c) { return truncated_to_8_bits(tone_mapped(c)); });
+  return each(image.rgb, [](float c) { return truncated_to_8_bits(c); });
 }
 
 }  // namespace plumb

@@ -21,7 +21,8 @@ Image render_in(const Scene& scene, const Camera& camera, const RenderJob& job) 
 Image render(const Scene& scene, const Camera& camera, const RenderJob& job) {
   if (job.samples != 1)
     throw std::invalid_argument("found " + std::to_string(job.samples) +
-                                " samples a pixel, expected 1: the textbook tracer takes the pixel's centre");
+                                " samples a pixel, expected 1: the textbook tracer, which renders "
+                                "long-double, too, takes the pixel's centre");
   switch (job.real) {
     case RealType::float32:
       return render_in<float>(scene, camera, job);
