@@ -32,7 +32,6 @@ def _speeds(rows):
     for name, than, title, target in (("engine-double", "povray", "double / POV-Ray", 15),
                                       ("engine-double", "embree", "double / Embree", 2.5),
                                       ("engine-float", "embree", "float / Embree", 4),
-                                      ("engine-auto", "engine-double", "auto / double", 1.6),
                                       ("engine-float", "engine-double", "float / double", 1.8)):
         yield Goal(title + ", geometric mean", target, True, geometric_mean(faster(row, name, than) for row in rows))
 

@@ -15,7 +15,7 @@ from .tachyon import Tachyon
 Job = namedtuple("Job", "scene directory width height depth")
 Programs = namedtuple("Programs", "plumb embree")
 
-REALS = ("double", "float", "auto")
+REALS = ("double", "float")
 MOST_OBJECTS_OF_TEXTBOOK = 100  # it tests every object: beyond, its time says nothing new
 
 

@@ -3,9 +3,9 @@
 import math
 
 SHOWN = (("tachyon", "Tachyon"), ("embree", "Embree"), ("textbook", "textbook"), ("engine-double", "engine, double"),
-         ("engine-float", "engine, float"), ("engine-auto", "engine, auto"))
+         ("engine-float", "engine, float"))
 PAIRS = (("engine-double", "embree", "double / Embree"), ("engine-float", "embree", "float / Embree"),
-         ("engine-double", "tachyon", "double / Tachyon"), ("engine-auto", "engine-double", "auto / double"),
+         ("engine-double", "tachyon", "double / Tachyon"),
          ("engine-float", "engine-double", "float / double"))
 
 
