@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "references/renderer.hpp"
 #include "references/attribution.hpp"
 #include "references/comparison.hpp"
 #include "references/metrics/metrics.hpp"
 #include "references/pictures.hpp"
+#include "references/renderer.hpp"
 #include "references/terms.hpp"
 #include "tracer/scene/dialect.hpp"
 #include "tracer/scene/render_options.hpp"
@@ -38,7 +38,7 @@ struct PictureOptions {
   RenderOptions render;
   RealType real = RealType::float64;
   Renderer renderer = Renderer::engine;  ///< of our side
-  bool keeps_pictures = false;  ///< in the results while they are reported, for a report
+  bool keeps_pictures = false;           ///< in the results while they are reported, for a report
 };
 
 struct VerifyOptions : PictureOptions {
