@@ -54,9 +54,9 @@ void add_real(CLI::App& app, SceneOptions& options) {
       ->capture_default_str();
   app.add_option(
          "--engine", options.engine,
-         "engine: the fast tracer (float and double); textbook: the readable one. Both give one picture")
-      ->check(CLI::IsMember({"textbook", "engine"}))
-      ->capture_default_str();
+         "engine: the fast tracer (float and double), render's default; textbook: the readable one, the "
+         "default of verify and regress")
+      ->check(CLI::IsMember({"textbook", "engine"}));
 }
 
 void add_tolerance(CLI::App& app, double& tolerance) {
@@ -91,7 +91,8 @@ RealType real_of(const SceneOptions& options) {
   return options.real == "double" ? RealType::float64 : RealType::long_double;
 }
 
-references::Renderer renderer_of(const SceneOptions& options) {
+references::Renderer renderer_of(const SceneOptions& options, references::Renderer usual) {
+  if (options.engine.empty()) return usual;
   return options.engine == "textbook" ? references::Renderer::textbook : references::Renderer::engine;
 }
 
@@ -115,9 +116,14 @@ std::optional<references::Size> size_of(const SceneOptions& options) {
 
 references::PictureOptions picture_options(const SceneOptions& options, double tolerance,
                                            bool keeps_pictures) {
-  return {
-      size_of(options), options.camera,       tolerance,     dialect_of(options), render_options_of(options),
-      real_of(options), renderer_of(options), keeps_pictures};
+  return {size_of(options),
+          options.camera,
+          tolerance,
+          dialect_of(options),
+          render_options_of(options),
+          real_of(options),
+          renderer_of(options, references::Renderer::textbook),
+          keeps_pictures};
 }
 
 View view_of(const Scene& scene, const SceneOptions& options) {
