@@ -64,7 +64,7 @@ struct AttributionJob {
   double tolerance;  ///< as in compare()
   Precision precision = Precision::float32;
   Judge judge = Judge::povray;
-  double work = 1e9;  ///< units of Work that are spent at most, about 20 s; a fifth more to name the shapes
+  double work = 2.5e8;  ///< units of Work that are spent at most, about 5 s; a fifth more to name the shapes
 };
 
 /// An edge, a coincidence or the reference's tolerance is proven when moving surfaces by a distance that the
