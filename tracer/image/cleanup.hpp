@@ -6,8 +6,8 @@
 namespace plumb {
 
 /// From here on SIGBUS, which is what looking at a mapped file becomes when somebody cuts it short, removes
-/// what is to be removed, says so on standard error and ends the program with exit code 2. A handler that is
-/// there already stays.
+/// what is to be removed, says so on standard error and ends the program with exit code 2. It replaces a
+/// handler that is there already: AddressSanitizer has one.
 void expect_cut_files();
 
 /// While it lives, SIGINT, SIGTERM and SIGHUP remove `path`, with all it holds, before they end the program.
