@@ -105,7 +105,7 @@ TEST(Engine, ThePictureIsTheSameForAllThreadsAndVectors) {
   }
 }
 
-/// A tile is a square of the picture: a part of the picture that begins elsewhere has other tiles.
+/// With other limits, bundles hold other rays.
 TEST(Engine, ThePictureDoesNotDependOnWhatIsTracedTogether) {
   for (int seed = 1; seed <= 40; ++seed) {
     const RandomScene random = random_scene(static_cast<unsigned>(seed));

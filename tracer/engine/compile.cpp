@@ -13,11 +13,9 @@ namespace {
 
 using Placement = Transform<double>;
 
-Vec3<double> axis_of(const Mat4<double>& m, int column) { return Vec3<double>(m[column]); }
-
 /// The factor of a similarity (any rotation, one scale), within the rounding of products of matrices.
 double similarity_factor(const Mat4<double>& m) {
-  const Vec3<double> x = axis_of(m, 0), y = axis_of(m, 1), z = axis_of(m, 2);
+  const Vec3<double> x(m[0]), y(m[1]), z(m[2]);
   const double squared = glm::dot(x, x);
   const double off = std::max({std::abs(glm::dot(y, y) - squared), std::abs(glm::dot(z, z) - squared),
                                std::abs(glm::dot(x, y)), std::abs(glm::dot(y, z)), std::abs(glm::dot(z, x))});
@@ -54,7 +52,6 @@ class Compiler {
     std::vector<Ref> refs;
     std::vector<Bounds3> bounds;  // of members and what is placed: others know theirs
     std::vector<Member<Real>> members;
-    std::uint32_t first_placed = 0;
   };
 
   void count_parents(const Settings& settings) {

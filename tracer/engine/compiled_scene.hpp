@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "tracer/formulas/real.hpp"
@@ -115,5 +116,18 @@ struct CompiledScene {
   bool has_few_objects = false;  ///< it is quickest to test all that a bundle of rays may meet, however wide
   bool needs_instances = false;  ///< whether hits must tell them apart: shared groups, media
 };
+
+/// The label of what a ray has hit: a sphere, a box, or one of them that is placed.
+template <class Real>
+const Label& label_of(const CompiledScene<Real>& scene, Ref ref) {
+  if (ref.kind() == Kind::placed) ref = scene.placed[ref.index()].shape;
+  return ref.kind() == Kind::sphere ? scene.sphere_labels[ref.index()] : scene.box_labels[ref.index()];
+}
+
+/// What rounding does to a hit on the way from a ray to t, as a share of t or of the largest coordinate of
+/// the ray's origin: matrices, two dot products, a root, in units of the last place. Hits that are no farther
+/// apart are one place, as for the textbook tracer.
+template <class Real>
+inline constexpr Real rounding = 64 * std::numeric_limits<Real>::epsilon();
 
 }  // namespace plumb::engine

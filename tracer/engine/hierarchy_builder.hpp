@@ -16,13 +16,14 @@ struct Item {
   std::array<float, 3> max;
 };
 
+/// No leaf has more nodes above it: 64 and, with the items at least halved from one to the next, 30 more for
+/// 2^29.
+inline constexpr int greatest_depth = 96;
+
 /// Appends the nodes that hold all items, which are put in another order, and returns the root; nothing for
 /// no items. Top down, by the surface area heuristic over bins (Wald, "On fast Construction of SAH-based
 /// Bounding Volume Hierarchies", 2007), several splits a node (Wald, Benthin, Boulos, "Getting Rid of
 /// Packets", 2008). Large parts are built in parallel; the result is the same for every number of threads.
-/// No leaf has more nodes above it: 64 and, halving 2^29 items into eight parts a node at best, 30 more.
-inline constexpr int greatest_depth = 96;
-
 Ref build_hierarchy(std::span<Item> items, std::vector<Node>& nodes);
 
 }  // namespace plumb::engine

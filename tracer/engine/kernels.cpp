@@ -8,10 +8,6 @@
 //
 #include <hwy/highway.h>
 
-#include <algorithm>
-#include <optional>
-#include <vector>
-
 #include "tracer/engine/shade-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();

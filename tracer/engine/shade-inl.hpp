@@ -7,7 +7,10 @@
 #define PLUMB_ENGINE_SHADE_INL
 #endif
 
+#include <memory>
+#include <optional>
 #include <stdexcept>
+#include <vector>
 
 #include "tracer/engine/interiors.hpp"
 #include "tracer/engine/surfaces-inl.hpp"
@@ -18,6 +21,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace plumb::engine::HWY_NAMESPACE {
 
+/// Traces and shades all rays of a level before those of the next, in the order of the textbook tracer's
+/// sums.
 template <class Real>
 class Shader final : public TileRenderer<Real> {
  public:
@@ -110,7 +115,7 @@ class Shader final : public TileRenderer<Real> {
   }
   HWY_INLINE void store_start(Rays<Real>& rays, std::size_t i, const V3<Real>& origin) {
     const V<Real> size = hn::Max(hn::Max(hn::Abs(origin.x), hn::Abs(origin.y)), hn::Abs(origin.z));
-    store<Real>(hn::Mul(size, set(64 * std::numeric_limits<Real>::epsilon())), &rays.t_min[i]);
+    store<Real>(hn::Mul(size, set(rounding<Real>)), &rays.t_min[i]);
   }
 
   void trace(std::size_t index) {
@@ -238,7 +243,7 @@ class Shader final : public TileRenderer<Real> {
           state[i] = lit;
           continue;
         }
-        const Rgb<Real>& kt = scene_.materials[surfaces_.label(ref).material].kt;
+        const Rgb<Real>& kt = scene_.materials[label_of(scene_, ref).material].kt;
         if (kt == Rgb<Real>(0)) {
           state[i] = hidden;
           continue;
@@ -267,7 +272,7 @@ class Shader final : public TileRenderer<Real> {
   }
   static Real smallest_t(const Vec3<Real>& origin) {
     const Vec3<Real> size = glm::abs(origin);
-    return 64 * std::numeric_limits<Real>::epsilon() * std::max({size.x, size.y, size.z});
+    return rounding<Real> * std::max({size.x, size.y, size.z});
   }
 
   /// Slide "Spiegelung, Brechung": the next level, as often as it fills.

@@ -27,8 +27,6 @@ struct alignas(64) Lanes3 {
   Lanes<Real> x, y, z;
 };
 
-inline constexpr unsigned no_face_word = 7;
-
 /// Rays of unit direction, where they start, and what they meet first.
 template <class Real>
 struct Rays {

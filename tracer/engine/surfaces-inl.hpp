@@ -47,6 +47,7 @@ class MaterialLanes {
   hn::Vec<Signed> indices_;
 };
 
+/// What shading needs to know of the hits of a scene.
 template <class Real>
 class Surfaces {
  public:
@@ -59,8 +60,8 @@ class Surfaces {
     const Ref one(static_cast<std::uint32_t>(level.rays.ref[i]));
     const auto is_one = hn::Eq(hn::LoadU(w, &level.rays.ref[i]), hn::Set(w, level.rays.ref[i]));
     const bool is_flat = scene_.members.empty() && (one.kind() == Kind::sphere || one.kind() == Kind::box);
-    if (is_flat && (hn::AllTrue(w, is_one))) {
-      const std::uint32_t material = label(one).material;
+    if (is_flat && hn::AllTrue(w, is_one)) {
+      const std::uint32_t material = label_of(scene_, one).material;
       for (std::size_t lane = 0; lane < lanes<Real>(); ++lane) level.material[i + lane] = material;
       level.is_of_one[i] = true;
       if (one.kind() == Kind::sphere)
@@ -72,12 +73,14 @@ class Surfaces {
     level.is_of_one[i] = true;
     for (std::size_t lane = i; lane < i + lanes<Real>(); ++lane) {
       const Ref ref(lane < i + count ? static_cast<std::uint32_t>(level.rays.ref[lane]) : 0);
-      level.material[lane] = ref.bits == 0 ? level.material[i] : label(ref).material;
-      if (ref.bits == 0 && lane == i) level.material[i] = 0;
+      const std::uint32_t of_none = lane == i ? 0 : level.material[i];
+      level.material[lane] = ref.bits == 0 ? of_none : label_of(scene_, ref).material;
       level.is_of_one[i] &= level.material[lane] == level.material[i];
       set_normal(level, lane, ref.bits == 0 ? Vec3<Real>(0, 0, 1) : normal_at(level, lane, ref));
     }
   }
+
+ private:
   HWY_INLINE static V3<Real> face_normals(W<Real> face) {
     return {face_normal(face, 0), face_normal(face, 1), face_normal(face, 2)};
   }
@@ -101,11 +104,6 @@ class Surfaces {
     level.normal.x[lane] = n.x;
     level.normal.y[lane] = n.y;
     level.normal.z[lane] = n.z;
-  }
-
-  const Label& label(Ref ref) const {
-    if (ref.kind() == Kind::placed) return label(scene_.placed[ref.index()].shape);
-    return ref.kind() == Kind::sphere ? scene_.sphere_labels[ref.index()] : scene_.box_labels[ref.index()];
   }
 
   static Vec3<Real> vector_in(const Affine<Real>& m, const Vec3<Real>& v) {

@@ -252,7 +252,7 @@ class Traversal {
   /// All rays of the bundle against one shape; whether anything nearer was found.
   HWY_INLINE bool meet_shape(Ref shape, Ref ref, const Affine<Real>* object_from_group, RayView<Real>& view,
                              std::uint64_t first) {
-    const std::uint64_t instance = first + label(shape).instance;
+    const std::uint64_t instance = first + label_of(scene_, shape).instance;
     const std::uint64_t hits = hits_;
     if (shape.kind() == Kind::box && object_from_group == nullptr && !view.has_inverses) invert(view);
     for (std::size_t i = 0; i < size_; i += lanes<Real>()) {
@@ -287,11 +287,6 @@ class Traversal {
     view.has_inverses = true;
   }
 
-  HWY_INLINE const Label& label(Ref shape) const {
-    return shape.kind() == Kind::sphere ? scene_.sphere_labels[shape.index()]
-                                        : scene_.box_labels[shape.index()];
-  }
-
   /// Which lanes start on this very shape, of this very instance.
   HWY_INLINE void set_own(RayVector<Real>& ray, Ref ref, std::uint64_t instance, std::size_t i) const {
     const WordTag<Real> w;
@@ -323,8 +318,7 @@ class Traversal {
       ++hits_;
       store<Real>(hn::IfThenElse(mask, set(Real(-1)), nearest), best);
     } else {
-      constexpr Real rounding = 64 * std::numeric_limits<Real>::epsilon();
-      const V<Real> one_place = hn::Add(t_min, hn::Mul(set(rounding), met.t));
+      const V<Real> one_place = hn::Add(t_min, hn::Mul(set(rounding<Real>), met.t));
       mask = hn::And(mask, hn::Lt(met.t, hn::Add(nearest, one_place)));
       if (none<Real>(mask)) return;
       const M<Real> is_tie = hn::And(mask, hn::Ge(met.t, hn::Sub(nearest, one_place)));
@@ -358,7 +352,7 @@ class Traversal {
     if (scene_.needs_instances) return rays_.instance[lane];
     const Ref ref(static_cast<std::uint32_t>(rays_.ref[lane]));
     if (ref.kind() == Kind::none) return 0;
-    return label(ref.kind() == Kind::placed ? scene_.placed[ref.index()].shape : ref).instance;
+    return label_of(scene_, ref).instance;
   }
 
   const CompiledScene<Real>& scene_;
