@@ -37,8 +37,8 @@ struct PictureOptions {
   Dialect dialect;
   RenderOptions render;
   RealType real = RealType::float64;
-  Renderer renderer = Renderer::textbook;  ///< of our side
-  bool keeps_pictures = false;             ///< in the results while they are reported, for a report
+  Renderer renderer = Renderer::engine;  ///< of our side
+  bool keeps_pictures = false;           ///< in the results while they are reported, for a report
 };
 
 struct VerifyOptions : PictureOptions {

@@ -52,11 +52,10 @@ void add_real(CLI::App& app, SceneOptions& options) {
                  "type of real numbers; long-double is rendered by the textbook tracer")
       ->check(CLI::IsMember({"float", "double", "long-double"}))
       ->capture_default_str();
-  app.add_option(
-         "--engine", options.engine,
-         "engine: the fast tracer (float and double), render's default; textbook: the readable one, the "
-         "default of verify and regress")
-      ->check(CLI::IsMember({"textbook", "engine"}));
+  app.add_option("--engine", options.engine,
+                 "engine: the fast tracer (float and double); textbook: the readable one")
+      ->check(CLI::IsMember({"textbook", "engine"}))
+      ->capture_default_str();
 }
 
 void add_tolerance(CLI::App& app, double& tolerance) {
@@ -91,8 +90,7 @@ RealType real_of(const SceneOptions& options) {
   return options.real == "double" ? RealType::float64 : RealType::long_double;
 }
 
-references::Renderer renderer_of(const SceneOptions& options, references::Renderer usual) {
-  if (options.engine.empty()) return usual;
+references::Renderer renderer_of(const SceneOptions& options) {
   return options.engine == "textbook" ? references::Renderer::textbook : references::Renderer::engine;
 }
 
@@ -116,14 +114,9 @@ std::optional<references::Size> size_of(const SceneOptions& options) {
 
 references::PictureOptions picture_options(const SceneOptions& options, double tolerance,
                                            bool keeps_pictures) {
-  return {size_of(options),
-          options.camera,
-          tolerance,
-          dialect_of(options),
-          render_options_of(options),
-          real_of(options),
-          renderer_of(options, references::Renderer::textbook),
-          keeps_pictures};
+  return {
+      size_of(options), options.camera,       tolerance,     dialect_of(options), render_options_of(options),
+      real_of(options), renderer_of(options), keeps_pictures};
 }
 
 View view_of(const Scene& scene, const SceneOptions& options) {

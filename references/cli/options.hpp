@@ -19,7 +19,7 @@ struct SceneOptions {
   std::string dialect;
   std::string glass_shadow = "full";
   std::string real = "double";
-  std::string engine;  ///< the command's own when empty
+  std::string engine = "engine";
   int depth = 8;
 };
 
@@ -32,7 +32,7 @@ void add_real(CLI::App& app, SceneOptions& options);
 Dialect dialect_of(const SceneOptions& options);
 RenderOptions render_options_of(const SceneOptions& options);
 RealType real_of(const SceneOptions& options);
-references::Renderer renderer_of(const SceneOptions& options, references::Renderer usual);
+references::Renderer renderer_of(const SceneOptions& options);
 std::optional<references::Size> size_of(const SceneOptions& options);
 
 references::PictureOptions picture_options(const SceneOptions& options, double tolerance,

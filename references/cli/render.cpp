@@ -54,8 +54,8 @@ SamplePattern pattern_of(const Options& options) {
 
 void report(const Options& options, const RenderJob& job, RenderStatistics& statistics) {
   statistics.scene = options.scene;
-  statistics.has_counts = references::renderer_for(renderer_of(options.common, references::Renderer::engine),
-                                                   job.real) == references::Renderer::engine;
+  statistics.has_counts =
+      references::renderer_for(renderer_of(options.common), job.real) == references::Renderer::engine;
   statistics.engine = statistics.has_counts ? "engine" : "textbook";
   statistics.real = options.common.real;
   statistics.width = job.width;
@@ -91,8 +91,8 @@ int render(const Options& options) {
   job.pattern = pattern_of(options);
   Progress progress("rendering " + options.scene);
   job.progress = [&](double fraction) { progress.show(fraction); };
-  const Image image = references::render(renderer_of(options.common, references::Renderer::engine), scene,
-                                         view.camera, job, &statistics.counts);
+  const Image image =
+      references::render(renderer_of(options.common), scene, view.camera, job, &statistics.counts);
   progress.clear();
   if (is_of_one_colour(image))
     warn(options.scene + ": warning: nothing is seen: every pixel has the same colour");

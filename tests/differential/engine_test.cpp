@@ -85,6 +85,34 @@ TEST(Engine, ScenesOfTheProjectAgreeWithTheTextbookTracer) {
   }
 }
 
+/// Of surfaces that coincide one is crossed, from the front, from inside and at grazing angles: glass that is
+/// there twice is the glass that is there once.
+TEST(Engine, GlassThatIsThereTwiceIsCrossedOnceByBothTracers) {
+  const std::string once = R"(camera eye 60
+define light key 3 6 4 0.9 0.9 0.8 1
+ambient 0.4 0.4 0.4
+background 0.1 0.15 0.2
+define material red 0.2 0.05 0.05 0.6 0.2 0.1 0.3 0.3 0.3 20
+define material glass 0.1 0.1 0.3 0.2 0.1 0.1 0.2 0.2 0.2 10 mirror 0.1 0.1 0.1 transmit 0.7 0.8 0.8 eta 1.3
+define shape box floor -9 -2 -20 9 -1.9 3 red
+define shape sphere big 0 -1 -10 3.5 glass
+define shape sphere small 0.5 -0.5 -3 0.6 glass
+define shape composite one big small
+)";
+  const Scene single = read_scene(once).scene,
+              twice = read_scene(once + "define shape composite two big small\n").scene;
+  RenderJob job = small({});
+  job.width = 96;
+  job.height = 72;
+  const Image expected = textbook::render(single, single.cameras.front(), job);
+  const auto over = [&](const Image& image) { return references::pixels_over(expected, image, 1e-6).size(); };
+  EXPECT_EQ(over(textbook::render(twice, twice.cameras.front(), job)), 0U);
+  EXPECT_EQ(over(engine::render(single, single.cameras.front(), job)), 0U);
+  EXPECT_EQ(over(engine::render(twice, twice.cameras.front(), job)), 0U);
+  job.real = RealType::long_double;
+  EXPECT_EQ(over(textbook::render(twice, twice.cameras.front(), job)), 0U);
+}
+
 TEST(Engine, ThePictureIsTheSameForAllThreadsAndVectors) {
   for (int seed = 1; seed <= 40; ++seed) {
     const RandomScene random = random_scene(static_cast<unsigned>(seed));

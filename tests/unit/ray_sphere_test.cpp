@@ -85,6 +85,12 @@ TYPED_TEST(RayFormula, APointIsTheOriginPlusTDirections) {
   EXPECT_EQ(formulas::point_at(ray, Real(2)), Vec3<Real>(9, 8, 15));
 }
 
+TYPED_TEST(RayFormula, WhatARayTellsApartIsEpsilonToThreeQuarters) {
+  const double exponent = std::log2(static_cast<double>(formulas::resolution<TypeParam>()));
+  const double epsilon = std::log2(static_cast<double>(std::numeric_limits<TypeParam>::epsilon()));
+  EXPECT_NEAR(exponent, 0.75 * epsilon, 0.5);  // because it is a power of two
+}
+
 TYPED_TEST(RayFormula, TCountsInDirectionLengths) {
   using Real = TypeParam;
   Random<Real> random(1);

@@ -124,10 +124,4 @@ const Label& label_of(const CompiledScene<Real>& scene, Ref ref) {
   return ref.kind() == Kind::sphere ? scene.sphere_labels[ref.index()] : scene.box_labels[ref.index()];
 }
 
-/// What rounding does to a hit on the way from a ray to t, as a share of t or of the largest coordinate of
-/// the ray's origin: matrices, two dot products, a root, in units of the last place. Hits that are no farther
-/// apart are one place, as for the textbook tracer.
-template <class Real>
-inline constexpr Real rounding = 64 * std::numeric_limits<Real>::epsilon();
-
 }  // namespace plumb::engine

@@ -115,7 +115,7 @@ class Shader final : public TileRenderer<Real> {
   }
   HWY_INLINE void store_start(Rays<Real>& rays, std::size_t i, const V3<Real>& origin) {
     const V<Real> size = hn::Max(hn::Max(hn::Abs(origin.x), hn::Abs(origin.y)), hn::Abs(origin.z));
-    store<Real>(hn::Mul(size, set(rounding<Real>)), &rays.t_min[i]);
+    store<Real>(hn::Mul(size, set(formulas::resolution<Real>())), &rays.t_min[i]);
   }
 
   void trace(std::size_t index) {
@@ -272,7 +272,7 @@ class Shader final : public TileRenderer<Real> {
   }
   static Real smallest_t(const Vec3<Real>& origin) {
     const Vec3<Real> size = glm::abs(origin);
-    return rounding<Real> * std::max({size.x, size.y, size.z});
+    return formulas::resolution<Real>() * std::max({size.x, size.y, size.z});
   }
 
   /// Slide "Spiegelung, Brechung": the next level, as often as it fills.

@@ -318,7 +318,7 @@ class Traversal {
       ++hits_;
       store<Real>(hn::IfThenElse(mask, set(Real(-1)), nearest), best);
     } else {
-      const V<Real> one_place = hn::Add(t_min, hn::Mul(set(rounding<Real>), met.t));
+      const V<Real> one_place = hn::Add(t_min, hn::Mul(set(formulas::resolution<Real>()), met.t));
       mask = hn::And(mask, hn::Lt(met.t, hn::Add(nearest, one_place)));
       if (none<Real>(mask)) return;
       const M<Real> is_tie = hn::And(mask, hn::Ge(met.t, hn::Sub(nearest, one_place)));

@@ -64,13 +64,11 @@ struct Query {
   /// Whether a hit counts and comes before the nearest so far. Two that rounding cannot tell apart are one
   /// place, and the first in the order of the file is taken: so coincident surfaces are crossed once.
   bool is_nearer(InstanceId self, Real t, Real nearest) const {
-    return formulas->is_ahead(t, t_min) && formulas->is_nearer(t, nearest, t_min + rounding * t) &&
+    return formulas->is_ahead(t, t_min) &&
+           formulas->is_nearer(t, nearest, t_min + formulas::resolution<Real>() * t) &&
            (!is_shadow_ray ||
             (formulas->blocks_light(t, light_distance) && formulas->may_block({self, lit, last})));
   }
-
-  /// Roundings on the way from a ray to t, in units of the last place: matrices, two dot products, a root.
-  static constexpr Real rounding = 64 * std::numeric_limits<Real>::epsilon();
 };
 
 /// A node of the hierarchy. It is placed in its parent's space by M and met in its own space, by the ray

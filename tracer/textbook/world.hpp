@@ -70,10 +70,10 @@ class World {
   }
 
  private:
-  /// The rounding error of a hit at the origin of the ray.
+  /// What is as near to the origin of the ray cannot be told from it.
   static Real smallest_t(const Ray<Real>& ray) {
     const Vec3<Real> size = glm::abs(ray.origin);
-    return Query<Real, Formulas>::rounding * std::max({size.x, size.y, size.z});
+    return formulas::resolution<Real>() * std::max({size.x, size.y, size.z});
   }
 
   using Built = std::vector<std::shared_ptr<const Shape<Real, Formulas>>>;
