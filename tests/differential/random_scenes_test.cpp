@@ -8,16 +8,17 @@
 #include <utility>
 
 #include "exporters/povray.hpp"
+#include "references/renderer.hpp"
 #include "references/verify.hpp"
 #include "tests/support/random_scene.hpp"
 #include "tests/support/run.hpp"
 #include "tracer/scene/reader.hpp"
 #include "tracer/scene/writer.hpp"
-#include "tracer/textbook/render.hpp"
 
 namespace plumb::tests {
 namespace {
 
+using references::Renderer;
 using references::SceneResult;
 using references::Status;
 
@@ -27,7 +28,7 @@ unsigned number_from(const char* variable, unsigned in_a_short_run) {
   return wanted == nullptr ? in_a_short_run : static_cast<unsigned>(std::strtoul(wanted, nullptr, 10));
 }
 
-/// Read back from its own text, exported, and rendered small in double and float.
+/// Read back from its own text, exported, and rendered small in double and float by both tracers.
 TEST(RandomScenes, NeverCrash) {
   const unsigned wanted = number_from("PLUMB_RANDOM_SMOKE", 300);
   for (unsigned seed = 1; seed <= wanted; ++seed) {
@@ -36,17 +37,18 @@ TEST(RandomScenes, NeverCrash) {
     ASSERT_FALSE(read.has_errors()) << "seed " << seed;
     const Camera& camera = read.scene.cameras.front();
     EXPECT_FALSE(exporters::export_povray(read.scene, camera, 16, 12, random.options).text.empty());
-    textbook::RenderJob job;
+    RenderJob job;
     job.width = 16;
     job.height = 12;
     job.options = random.options;
     job.threads = 1;
-    for (const auto real : {textbook::RealType::float64, textbook::RealType::float32}) {
+    for (const auto real : {RealType::float64, RealType::float32}) {
       job.real = real;
-      const Image image = textbook::render(read.scene, camera, job);
-      const bool finite =
-          std::all_of(image.rgb.begin(), image.rgb.end(), [](float c) { return std::isfinite(c); });
-      EXPECT_TRUE(finite) << "seed " << seed;
+      for (const Renderer renderer : {Renderer::textbook, Renderer::engine}) {
+        const Image image = references::render(renderer, read.scene, camera, job);
+        EXPECT_TRUE(std::all_of(image.rgb.begin(), image.rgb.end(), [](float c) { return std::isfinite(c); }))
+            << "seed " << seed;
+      }
     }
   }
 }
