@@ -36,7 +36,13 @@ class Viewer(ReportTest):
         self.open_scene(RED_GREEN)
         self.press("3")
         seen = set()
-        self.wait(lambda: seen.add((self.shows(), *self.colour(0, 0.5))) or len(seen) == 2)
+
+        def look():
+            before, colour = self.shows(), self.colour(0, 0.5)
+            if before == self.shows():  # else it blinked between the two looks
+                seen.add((before, *colour))
+            return len(seen) == 2
+        self.wait(look)
         self.assertEqual({("reference", *RED), ("test", *GREEN)}, seen)
         self.button("Pause").click()
         before = self.shows()
