@@ -18,10 +18,11 @@ lib::ImageSpec spec_for(const ImageFile& pixels, Depth depth) {
   return spec;
 }
 
-Sample sample_of(lib::TypeDesc format) {
-  if (format == lib::TypeDesc::UINT8 || format == lib::TypeDesc::INT8) return Sample::bits8;
-  if (format == lib::TypeDesc::UINT16 || format == lib::TypeDesc::INT16) return Sample::bits16;
-  return format == lib::TypeDesc::HALF ? Sample::half : Sample::float32;
+Sample sample_of(const lib::TypeDesc& format) {
+  if (format.basetype == lib::TypeDesc::UINT8 || format.basetype == lib::TypeDesc::INT8) return Sample::bits8;
+  if (format.basetype == lib::TypeDesc::UINT16 || format.basetype == lib::TypeDesc::INT16)
+    return Sample::bits16;
+  return format.basetype == lib::TypeDesc::HALF ? Sample::half : Sample::float32;
 }
 
 }  // namespace

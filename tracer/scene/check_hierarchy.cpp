@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <ranges>
 #include <unordered_map>
 
 #include "tracer/scene/hierarchy.hpp"
@@ -171,9 +172,9 @@ std::vector<ShapeId> shapes_that_may_overflow(const Scene& scene) {
   };
   for (const ShapeId root : scene.roots()) enter(root, {Size{}, Size{}});
   const std::vector<ShapeId> order = order_of_composites(scene).children_first;
-  for (auto id = order.rbegin(); id != order.rend(); ++id) {
-    const Reach here = placed(scene.shapes[*id], reach[*id]);
-    for (const ShapeId child : children_of(scene.shapes[*id])) enter(child, here);
+  for (const ShapeId id : std::ranges::reverse_view(order)) {
+    const Reach here = placed(scene.shapes[id], reach[id]);
+    for (const ShapeId child : children_of(scene.shapes[id])) enter(child, here);
   }
   for (ShapeId id = 0; id < scene.shapes.size(); ++id) {
     if (is_found[id]) found.push_back(id);

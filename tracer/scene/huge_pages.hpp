@@ -12,9 +12,9 @@ namespace plumb {
 inline void prefer_huge_pages(void* begin, std::size_t bytes) {
 #ifdef MADV_HUGEPAGE
   constexpr std::uintptr_t page = std::uintptr_t{1} << 21;
-  const auto first = (reinterpret_cast<std::uintptr_t>(begin) + page - 1) & ~(page - 1);
-  const auto last = (reinterpret_cast<std::uintptr_t>(begin) + bytes) & ~(page - 1);
-  if (first < last) madvise(reinterpret_cast<void*>(first), last - first, MADV_HUGEPAGE);
+  const std::uintptr_t before_first = -reinterpret_cast<std::uintptr_t>(begin) & (page - 1);
+  if (before_first + page > bytes) return;
+  madvise(static_cast<char*>(begin) + before_first, (bytes - before_first) & ~(page - 1), MADV_HUGEPAGE);
 #else
   static_cast<void>(begin);
   static_cast<void>(bytes);
