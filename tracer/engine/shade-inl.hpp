@@ -7,6 +7,7 @@
 #define PLUMB_ENGINE_SHADE_INL
 #endif
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -187,8 +188,10 @@ class Shader final : public TileRenderer<Real> {
     const bool through_glass = scene_.transmits && view_.options.glass_shadow != GlassShadow::full;
     if (view_.options.shadows && through_glass)
       look_through_glass(level);
-    else if (view_.options.shadows)
+    else if (view_.options.shadows && scene_.has_few_objects)
       finder_.template find<true>(shadow, 0, level.size, true, &light.position);
+    else if (view_.options.shadows)
+      find_by_object(level, light.position);
     for (std::size_t i = 0; i < level.size; i += lanes<Real>()) {
       const M<Real> is_lit = hn::Gt(load(&shadow.t[i]), set(Real(0)));
       if (none<Real>(is_lit)) continue;
@@ -197,6 +200,44 @@ class Shader final : public TileRenderer<Real> {
       const V3<Real> colour = load3(level.colour, i);
       store3<Real>(where<Real>(is_lit, add<Real>(colour, added), colour), level.colour, i);
     }
+  }
+
+  /// Rays that leave one object stay close to each other on their way to the light, wherever in the tile
+  /// they are; the numbers of objects follow their places in space.
+  HWY_NOINLINE void find_by_object(const Level<Real>& level, const Vec3<Real>& light) {
+    const std::size_t runs = runs_of_one_object(level);
+    std::sort(runs_.begin(), runs_.begin() + static_cast<std::ptrdiff_t>(runs));
+    std::size_t size = 0;
+    for (std::size_t r = 0; r < runs; ++r) {
+      const std::size_t begin = runs_[r] >> 16 & 0xffff, end = runs_[r] & 0xffff;
+      for (std::size_t i = begin; i < end; ++i) {
+        if (shadow_.rays.t[i] > 0) take(i, size++);
+      }
+    }
+    finder_.template find<true>(sorted_, 0, size, true, &light);
+    for (std::size_t to = 0; to < size; ++to) shadow_.rays.t[from_[to]] = sorted_.t[to];
+  }
+  /// Each as its object, its first ray, and the one after its last.
+  std::size_t runs_of_one_object(const Level<Real>& level) {
+    std::size_t runs = 0;
+    for (std::size_t i = 0; i < level.size;) {
+      const std::size_t begin = i;
+      const auto ref = static_cast<std::uint64_t>(level.rays.ref[i]);
+      while (i < level.size && level.rays.ref[i] == ref) ++i;
+      if (ref != 0) runs_[runs++] = ref << 32 | begin << 16 | i;
+    }
+    return runs;
+  }
+  HWY_INLINE void take(std::size_t i, std::size_t to) {
+    const Rays<Real>& rays = shadow_.rays;
+    put(sorted_.origin, to, vector_at(rays.origin, i));
+    put(sorted_.direction, to, vector_at(rays.direction, i));
+    sorted_.t_min[to] = rays.t_min[i];
+    sorted_.t[to] = rays.t[i];
+    sorted_.start[to] = rays.start[i];
+    sorted_.start_face[to] = rays.start_face[i];
+    sorted_.start_instance[to] = rays.start_instance[i];
+    from_[to] = static_cast<std::uint16_t>(i);
   }
 
   /// kd (l.n) + ks (r.v)^m.
@@ -363,6 +404,9 @@ class Shader final : public TileRenderer<Real> {
   const View<Real>& view_;
   std::vector<std::unique_ptr<Level<Real>>> levels_;
   ShadowRays<Real> shadow_;
+  Rays<Real> sorted_;
+  Lanes<std::uint64_t> runs_;
+  Lanes<std::uint16_t> from_;
   Lanes3<Real> sum_;    ///< of the samples of a tile
   Lanes3<Real> delta_;  ///< of lights seen through glass
   Interiors<Real> interiors_;
