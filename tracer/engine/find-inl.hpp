@@ -28,7 +28,8 @@ class Finder {
   template <bool any_hit>
   void find(Rays<Real>& rays, std::size_t begin, std::size_t size, bool knows_starts,
             const Vec3<Real>* light) {
-    if (size == 1 && light == nullptr) return find_one<any_hit>(rays, begin, knows_starts);
+    if (size == 1) return find_one<any_hit>(rays, begin, knows_starts, light);
+    if (size > most_in_bundle) return find_halves<any_hit>(rays, begin, size, knows_starts, light);
     BoundsOfRays<Real> origins, directions;
     bool any = false;
     for (std::size_t i = begin; i < begin + size; i += lanes<Real>()) {
@@ -47,13 +48,8 @@ class Finder {
       bounds.slope_min = Vec3<double>(*light) - bounds.origin_min;
       bounds.slope_max = Vec3<double>(*light) - bounds.origin_max;
     }
-    if (size > 1 && (size > most_in_bundle || width_of(bounds, world) > width_limit_)) {
-      const std::size_t half =
-          size > 2 * lanes<Real>() ? size / 2 / lanes<Real>() * lanes<Real>() : (size + 1) / 2;
-      find<any_hit>(rays, begin, half, knows_starts, light);
-      find<any_hit>(rays, begin + half, size - half, knows_starts, light);
-      return;
-    }
+    if (width_of(bounds, world) > width_limit_)
+      return find_halves<any_hit>(rays, begin, size, knows_starts, light);
     Bundle bundle(bounds, world);
     if (light != nullptr) bundle.limit(1);
     send<any_hit>(rays, begin, size, knows_starts, bundle);
@@ -61,10 +57,22 @@ class Finder {
 
  private:
   template <bool any_hit>
-  void find_one(Rays<Real>& rays, std::size_t i, bool knows_starts) {
+  void find_halves(Rays<Real>& rays, std::size_t begin, std::size_t size, bool knows_starts,
+                   const Vec3<Real>* light) {
+    const std::size_t half =
+        size > 2 * lanes<Real>() ? size / 2 / lanes<Real>() * lanes<Real>() : (size + 1) / 2;
+    find<any_hit>(rays, begin, half, knows_starts, light);
+    find<any_hit>(rays, begin + half, size - half, knows_starts, light);
+  }
+
+  template <bool any_hit>
+  void find_one(Rays<Real>& rays, std::size_t i, bool knows_starts, const Vec3<Real>* light) {
     if (rays.t[i] < 0) return;
-    const Vec3<double> origin(vector_at(rays.origin, i)), direction(vector_at(rays.direction, i));
+    const Vec3<double> origin(vector_at(rays.origin, i));
+    const Vec3<double> direction(light == nullptr ? Vec3<double>(vector_at(rays.direction, i))
+                                                  : Vec3<double>(*light) - origin);
     Bundle bundle({origin, origin, direction, direction}, scene_.groups[0]);
+    if (light != nullptr) bundle.limit(1);
     send<any_hit>(rays, i, 1, knows_starts, bundle);
   }
 
