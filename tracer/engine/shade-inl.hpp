@@ -43,14 +43,10 @@ class Shader final : public TileRenderer<Real> {
       interiors_.shrink(view_.around_the_eye.size());
       if (view_.samples.size() > 1) add_sample(level, &sample == &view_.samples.front());
     }
-    const Lanes3<Real>& colour = view_.samples.size() > 1 ? sum_ : level.colour;
-    const Real count = static_cast<Real>(view_.samples.size());
-    for (std::size_t i = 0; i < level.size; ++i) {
-      float* const pixel = rgb + 3 * level.parent[i];
-      pixel[0] = static_cast<float>(colour.x[i] / count);
-      pixel[1] = static_cast<float>(colour.y[i] / count);
-      pixel[2] = static_cast<float>(colour.z[i] / count);
-    }
+    if (view_.samples.size() > 1)
+      write(sum_, static_cast<Real>(view_.samples.size()), level, rgb);
+    else
+      write(level.colour, 1, level, rgb);
   }
   const Statistics& statistics() const override { return statistics_; }
 
@@ -60,6 +56,25 @@ class Shader final : public TileRenderer<Real> {
     return *levels_[index];
   }
 
+  void write(const Lanes3<Real>& colour, Real samples, const Level<Real>& level, float* rgb) const {
+    for (std::size_t i = 0; i < level.size; i += lanes<Real>()) {
+      const V<Real> count = set(samples);
+      const V3<Real> c = load3(colour, i);
+      const V3<Real> mean =
+          samples == 1 ? c : V3<Real>{hn::Div(c.x, count), hn::Div(c.y, count), hn::Div(c.z, count)};
+      alignas(64) Real channels[3][widest_vector];
+      store<Real>(mean.x, channels[0]);
+      store<Real>(mean.y, channels[1]);
+      store<Real>(mean.z, channels[2]);
+      const std::size_t count_here = std::min(lanes<Real>(), level.size - i);
+      for (std::size_t lane = 0; lane < count_here; ++lane) {
+        float* const pixel = rgb + 3 * level.parent[i + lane];
+        for (int channel = 0; channel < 3; ++channel)
+          pixel[channel] = static_cast<float>(channels[channel][lane]);
+      }
+    }
+  }
+
   void add_sample(const Level<Real>& level, bool is_first) {
     for (std::size_t i = 0; i < level.size; i += lanes<Real>()) {
       const V3<Real> colour = load3(level.colour, i);
@@ -67,45 +82,48 @@ class Shader final : public TileRenderer<Real> {
     }
   }
 
-  /// Slide "Kameramodell", formulas::image_plane_point for any point of a pixel.
-  static Real plane_x(int x, Real sample, Real width) {
-    return (static_cast<Real>(x) + sample) / width - Real(0.5);
-  }
-  static Real plane_y(int y, Real sample, Real width, Real height) {
-    const Real up = ((height - 1) - (static_cast<Real>(y) + (sample - 1))) / height - Real(0.5);
-    return up * (height / width);
-  }
-
-  /// One ray through each pixel, at the same place in all of them. Neighbours in the stream are neighbours in
-  /// the picture: every 8 rays, 16, 64 are a block. The parent of a camera ray is its pixel in the tile.
+  /// Slide "Kameramodell", formulas::image_plane_point: one ray through each pixel, at the same place in all
+  /// of them. Neighbours in the stream are neighbours in the picture: every 8 rays, 16, 64 are a block. The
+  /// parent of a camera ray is its pixel in the tile.
   std::size_t start_tile(const Tile& tile, const SamplePoint& sample) {
     Level<Real>& level = level_at(0);
-    Rays<Real>& rays = level.rays;
-    const bool is_whole = tile.width == tile_edge && tile.height == tile_edge;
-    const Real width = static_cast<Real>(view_.width), height = static_cast<Real>(view_.height);
-    std::array<Real, tile_edge> xs, ys;
-    for (int k = 0; k < tile_edge; ++k) {
-      xs[static_cast<std::size_t>(k)] = plane_x(tile.x + k, static_cast<Real>(sample.x), width);
-      ys[static_cast<std::size_t>(k)] = plane_y(tile.y + k, static_cast<Real>(sample.y), width, height);
-    }
-    std::size_t size = 0;
-    for (const TilePixel& pixel : tile_pixels) {
-      if (!is_whole && (pixel.x >= tile.width || pixel.y >= tile.height)) continue;
-      rays.direction.x[size] = xs[pixel.x];
-      rays.direction.y[size] = ys[pixel.y];
-      level.parent[size] = static_cast<std::uint32_t>(pixel.y * tile.width + pixel.x);
-      ++size;
-    }
+    const std::size_t size = number_pixels(tile, level);
     std::fill_n(level.depth.begin(), size, std::uint16_t{0});
     std::fill_n(level.unbent.begin(), size, std::uint16_t{0});
     std::fill_n(level.interior.begin(), size, around_the_eye_);
+    // In units of the plane's width: x - 1/2, and (1/2 - y) * height / width, from the corner of the tile.
+    const Real pixel = 1 / static_cast<Real>(view_.width);
+    const Real left = (static_cast<Real>(tile.x) + static_cast<Real>(sample.x)) * pixel - Real(0.5);
+    const Real top =
+        (static_cast<Real>(view_.height) / 2 - static_cast<Real>(tile.y) - static_cast<Real>(sample.y)) *
+        pixel;
     const V3<Real> eye = set3(view_.eye), forward = set3(view_.forward);
     for (std::size_t i = 0; i < size; i += lanes<Real>()) {
-      const V3<Real> across = scaled<Real>(set3(view_.right), load(&rays.direction.x[i]));
-      const V3<Real> along = scaled<Real>(set3(view_.up), load(&rays.direction.y[i]));
-      store_ray(rays, i, eye, normalised<Real>(add<Real>(add<Real>(across, along), forward)));
-      hn::StoreU(hn::Zero(WordTag<Real>()), WordTag<Real>(), &rays.start[i]);
+      const V<Real> x = hn::Add(set(left), hn::Mul(load(&pixel_x_[i]), set(pixel)));
+      const V<Real> y = hn::Sub(set(top), hn::Mul(load(&pixel_y_[i]), set(pixel)));
+      const V3<Real> across = scaled<Real>(set3(view_.right), x), along = scaled<Real>(set3(view_.up), y);
+      store_ray(level.rays, i, eye, normalised<Real>(add<Real>(add<Real>(across, along), forward)));
+      hn::StoreU(hn::Zero(WordTag<Real>()), WordTag<Real>(), &level.rays.start[i]);
     }
+    return size;
+  }
+  /// Where the rays of a tile are in it: those of a whole one as they are known.
+  std::size_t number_pixels(const Tile& tile, Level<Real>& level) {
+    const bool is_whole = tile.width == tile_edge && tile.height == tile_edge;
+    if (is_whole && knows_whole_tile_) {
+      std::copy_n(whole_tile_.begin(), tile_pixels.size(), level.parent.begin());
+      return tile_pixels.size();
+    }
+    std::size_t size = 0;
+    for (const TilePixel& pixel : tile_pixels) {
+      if (pixel.x >= tile.width || pixel.y >= tile.height) continue;
+      pixel_x_[size] = pixel.x;
+      pixel_y_[size] = pixel.y;
+      level.parent[size] = static_cast<std::uint32_t>(pixel.y * tile.width + pixel.x);
+      ++size;
+    }
+    if (is_whole) std::copy_n(level.parent.begin(), size, whole_tile_.begin());
+    knows_whole_tile_ = is_whole;
     return size;
   }
   HWY_INLINE void store_ray(Rays<Real>& rays, std::size_t i, const V3<Real>& origin,
@@ -407,8 +425,11 @@ class Shader final : public TileRenderer<Real> {
   Rays<Real> sorted_;
   Lanes<std::uint64_t> runs_;
   Lanes<std::uint16_t> from_;
-  Lanes3<Real> sum_;    ///< of the samples of a tile
-  Lanes3<Real> delta_;  ///< of lights seen through glass
+  Lanes3<Real> sum_;                 ///< of the samples of a tile
+  Lanes<Real> pixel_x_, pixel_y_;    ///< of the rays of a tile, from its corner
+  Lanes<std::uint32_t> whole_tile_;  ///< the parents of its rays
+  bool knows_whole_tile_ = false;    ///< and pixel_x_, pixel_y_ are of one
+  Lanes3<Real> delta_;               ///< of lights seen through glass
   Interiors<Real> interiors_;
   std::int32_t around_the_eye_ = Interiors<Real>::nothing;
   Statistics statistics_;
