@@ -22,13 +22,17 @@ template <class Real>
 class Finder {
  public:
   Finder(const CompiledScene<Real>& scene, Statistics& statistics)
-      : scene_(scene), statistics_(statistics), width_limit_(widest_bundle(scene)) {}
+      : scene_(scene),
+        statistics_(statistics),
+        size_limit_(scene.has_few_objects ? stream_size : most_of_many),
+        width_limit_(widest_bundle(scene)) {}
 
   /// Sends rays through the hierarchy in bundles that are narrow, compared with what they are to find.
   template <bool any_hit>
   void find(Rays<Real>& rays, std::size_t begin, std::size_t size, bool knows_starts,
             const Vec3<Real>* light) {
-    if (size == 1 && light == nullptr) return find_one<any_hit>(rays, begin, knows_starts);
+    if (size == 1) return find_one<any_hit>(rays, begin, knows_starts, light);
+    if (size > size_limit_) return find_halves<any_hit>(rays, begin, size, knows_starts, light);
     BoundsOfRays<Real> origins, directions;
     bool any = false;
     for (std::size_t i = begin; i < begin + size; i += lanes<Real>()) {
@@ -47,13 +51,8 @@ class Finder {
       bounds.slope_min = Vec3<double>(*light) - bounds.origin_min;
       bounds.slope_max = Vec3<double>(*light) - bounds.origin_max;
     }
-    if (size > 1 && (size > most_in_bundle || width_of(bounds, world) > width_limit_)) {
-      const std::size_t half =
-          size > 2 * lanes<Real>() ? size / 2 / lanes<Real>() * lanes<Real>() : (size + 1) / 2;
-      find<any_hit>(rays, begin, half, knows_starts, light);
-      find<any_hit>(rays, begin + half, size - half, knows_starts, light);
-      return;
-    }
+    if (width_of(bounds, world) > width_limit_)
+      return find_halves<any_hit>(rays, begin, size, knows_starts, light);
     Bundle bundle(bounds, world);
     if (light != nullptr) bundle.limit(1);
     send<any_hit>(rays, begin, size, knows_starts, bundle);
@@ -61,10 +60,22 @@ class Finder {
 
  private:
   template <bool any_hit>
-  void find_one(Rays<Real>& rays, std::size_t i, bool knows_starts) {
+  void find_halves(Rays<Real>& rays, std::size_t begin, std::size_t size, bool knows_starts,
+                   const Vec3<Real>* light) {
+    const std::size_t half =
+        size > 2 * lanes<Real>() ? size / 2 / lanes<Real>() * lanes<Real>() : (size + 1) / 2;
+    find<any_hit>(rays, begin, half, knows_starts, light);
+    find<any_hit>(rays, begin + half, size - half, knows_starts, light);
+  }
+
+  template <bool any_hit>
+  void find_one(Rays<Real>& rays, std::size_t i, bool knows_starts, const Vec3<Real>* light) {
     if (rays.t[i] < 0) return;
-    const Vec3<double> origin(vector_at(rays.origin, i)), direction(vector_at(rays.direction, i));
+    const Vec3<double> origin(vector_at(rays.origin, i));
+    const Vec3<double> direction(light == nullptr ? Vec3<double>(vector_at(rays.direction, i))
+                                                  : Vec3<double>(*light) - origin);
     Bundle bundle({origin, origin, direction, direction}, scene_.groups[0]);
+    if (light != nullptr) bundle.limit(1);
     send<any_hit>(rays, i, 1, knows_starts, bundle);
   }
 
@@ -76,7 +87,8 @@ class Finder {
     traversal.follow(scene_.groups[0], bundle, view, 0);
   }
 
-  /// A few objects are quickest tested by all rays; otherwise a bundle is no wider than some of them.
+  /// A few objects are quickest tested by all rays of a stream; otherwise a bundle is no wider than some of
+  /// them.
   static double widest_bundle(const CompiledScene<Real>& scene) {
     if (scene.has_few_objects) return std::numeric_limits<double>::infinity();
     return 5 * scene.groups[0].typical_size;
@@ -94,10 +106,11 @@ class Finder {
     return widest * world.scale;
   }
 
-  static constexpr std::size_t most_in_bundle = 64;
+  static constexpr std::size_t most_of_many = 64;  ///< rays of a bundle where there are many objects
 
   const CompiledScene<Real>& scene_;
   Statistics& statistics_;
+  const std::size_t size_limit_;
   const double width_limit_;
   Workspace<Real> workspace_;
 };

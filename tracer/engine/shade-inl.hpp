@@ -7,6 +7,7 @@
 #define PLUMB_ENGINE_SHADE_INL
 #endif
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -42,14 +43,10 @@ class Shader final : public TileRenderer<Real> {
       interiors_.shrink(view_.around_the_eye.size());
       if (view_.samples.size() > 1) add_sample(level, &sample == &view_.samples.front());
     }
-    const Lanes3<Real>& colour = view_.samples.size() > 1 ? sum_ : level.colour;
-    const Real count = static_cast<Real>(view_.samples.size());
-    for (std::size_t i = 0; i < level.size; ++i) {
-      float* const pixel = rgb + 3 * level.parent[i];
-      pixel[0] = static_cast<float>(colour.x[i] / count);
-      pixel[1] = static_cast<float>(colour.y[i] / count);
-      pixel[2] = static_cast<float>(colour.z[i] / count);
-    }
+    if (view_.samples.size() > 1)
+      write(sum_, static_cast<Real>(view_.samples.size()), level, rgb);
+    else
+      write(level.colour, 1, level, rgb);
   }
   const Statistics& statistics() const override { return statistics_; }
 
@@ -59,6 +56,25 @@ class Shader final : public TileRenderer<Real> {
     return *levels_[index];
   }
 
+  void write(const Lanes3<Real>& colour, Real samples, const Level<Real>& level, float* rgb) const {
+    for (std::size_t i = 0; i < level.size; i += lanes<Real>()) {
+      const V<Real> count = set(samples);
+      const V3<Real> c = load3(colour, i);
+      const V3<Real> mean =
+          samples == 1 ? c : V3<Real>{hn::Div(c.x, count), hn::Div(c.y, count), hn::Div(c.z, count)};
+      alignas(64) Real channels[3][widest_vector];
+      store<Real>(mean.x, channels[0]);
+      store<Real>(mean.y, channels[1]);
+      store<Real>(mean.z, channels[2]);
+      const std::size_t count_here = std::min(lanes<Real>(), level.size - i);
+      for (std::size_t lane = 0; lane < count_here; ++lane) {
+        float* const pixel = rgb + 3 * level.parent[i + lane];
+        for (int channel = 0; channel < 3; ++channel)
+          pixel[channel] = static_cast<float>(channels[channel][lane]);
+      }
+    }
+  }
+
   void add_sample(const Level<Real>& level, bool is_first) {
     for (std::size_t i = 0; i < level.size; i += lanes<Real>()) {
       const V3<Real> colour = load3(level.colour, i);
@@ -66,45 +82,48 @@ class Shader final : public TileRenderer<Real> {
     }
   }
 
-  /// Slide "Kameramodell", formulas::image_plane_point for any point of a pixel.
-  static Real plane_x(int x, Real sample, Real width) {
-    return (static_cast<Real>(x) + sample) / width - Real(0.5);
-  }
-  static Real plane_y(int y, Real sample, Real width, Real height) {
-    const Real up = ((height - 1) - (static_cast<Real>(y) + (sample - 1))) / height - Real(0.5);
-    return up * (height / width);
-  }
-
-  /// One ray through each pixel, at the same place in all of them. Neighbours in the stream are neighbours in
-  /// the picture: every 8 rays, 16, 64 are a block. The parent of a camera ray is its pixel in the tile.
+  /// Slide "Kameramodell", formulas::image_plane_point: one ray through each pixel, at the same place in all
+  /// of them. Neighbours in the stream are neighbours in the picture: every 8 rays, 16, 64 are a block. The
+  /// parent of a camera ray is its pixel in the tile.
   std::size_t start_tile(const Tile& tile, const SamplePoint& sample) {
     Level<Real>& level = level_at(0);
-    Rays<Real>& rays = level.rays;
-    const bool is_whole = tile.width == tile_edge && tile.height == tile_edge;
-    const Real width = static_cast<Real>(view_.width), height = static_cast<Real>(view_.height);
-    std::array<Real, tile_edge> xs, ys;
-    for (int k = 0; k < tile_edge; ++k) {
-      xs[static_cast<std::size_t>(k)] = plane_x(tile.x + k, static_cast<Real>(sample.x), width);
-      ys[static_cast<std::size_t>(k)] = plane_y(tile.y + k, static_cast<Real>(sample.y), width, height);
-    }
-    std::size_t size = 0;
-    for (const TilePixel& pixel : tile_pixels) {
-      if (!is_whole && (pixel.x >= tile.width || pixel.y >= tile.height)) continue;
-      rays.direction.x[size] = xs[pixel.x];
-      rays.direction.y[size] = ys[pixel.y];
-      level.parent[size] = static_cast<std::uint32_t>(pixel.y * tile.width + pixel.x);
-      ++size;
-    }
+    const std::size_t size = number_pixels(tile, level);
     std::fill_n(level.depth.begin(), size, std::uint16_t{0});
     std::fill_n(level.unbent.begin(), size, std::uint16_t{0});
     std::fill_n(level.interior.begin(), size, around_the_eye_);
+    // In units of the plane's width: x - 1/2, and (1/2 - y) * height / width, from the corner of the tile.
+    const Real pixel = 1 / static_cast<Real>(view_.width);
+    const Real left = (static_cast<Real>(tile.x) + static_cast<Real>(sample.x)) * pixel - Real(0.5);
+    const Real top =
+        (static_cast<Real>(view_.height) / 2 - static_cast<Real>(tile.y) - static_cast<Real>(sample.y)) *
+        pixel;
     const V3<Real> eye = set3(view_.eye), forward = set3(view_.forward);
     for (std::size_t i = 0; i < size; i += lanes<Real>()) {
-      const V3<Real> across = scaled<Real>(set3(view_.right), load(&rays.direction.x[i]));
-      const V3<Real> along = scaled<Real>(set3(view_.up), load(&rays.direction.y[i]));
-      store_ray(rays, i, eye, normalised<Real>(add<Real>(add<Real>(across, along), forward)));
-      hn::StoreU(hn::Zero(WordTag<Real>()), WordTag<Real>(), &rays.start[i]);
+      const V<Real> x = hn::Add(set(left), hn::Mul(load(&pixel_x_[i]), set(pixel)));
+      const V<Real> y = hn::Sub(set(top), hn::Mul(load(&pixel_y_[i]), set(pixel)));
+      const V3<Real> across = scaled<Real>(set3(view_.right), x), along = scaled<Real>(set3(view_.up), y);
+      store_ray(level.rays, i, eye, normalised<Real>(add<Real>(add<Real>(across, along), forward)));
+      hn::StoreU(hn::Zero(WordTag<Real>()), WordTag<Real>(), &level.rays.start[i]);
     }
+    return size;
+  }
+  /// Where the rays of a tile are in it: those of a whole one as they are known.
+  std::size_t number_pixels(const Tile& tile, Level<Real>& level) {
+    const bool is_whole = tile.width == tile_edge && tile.height == tile_edge;
+    if (is_whole && knows_whole_tile_) {
+      std::copy_n(whole_tile_.begin(), tile_pixels.size(), level.parent.begin());
+      return tile_pixels.size();
+    }
+    std::size_t size = 0;
+    for (const TilePixel& pixel : tile_pixels) {
+      if (pixel.x >= tile.width || pixel.y >= tile.height) continue;
+      pixel_x_[size] = pixel.x;
+      pixel_y_[size] = pixel.y;
+      level.parent[size] = static_cast<std::uint32_t>(pixel.y * tile.width + pixel.x);
+      ++size;
+    }
+    if (is_whole) std::copy_n(level.parent.begin(), size, whole_tile_.begin());
+    knows_whole_tile_ = is_whole;
     return size;
   }
   HWY_INLINE void store_ray(Rays<Real>& rays, std::size_t i, const V3<Real>& origin,
@@ -187,8 +206,10 @@ class Shader final : public TileRenderer<Real> {
     const bool through_glass = scene_.transmits && view_.options.glass_shadow != GlassShadow::full;
     if (view_.options.shadows && through_glass)
       look_through_glass(level);
-    else if (view_.options.shadows)
+    else if (view_.options.shadows && scene_.has_few_objects)
       finder_.template find<true>(shadow, 0, level.size, true, &light.position);
+    else if (view_.options.shadows)
+      find_by_object(level, light.position);
     for (std::size_t i = 0; i < level.size; i += lanes<Real>()) {
       const M<Real> is_lit = hn::Gt(load(&shadow.t[i]), set(Real(0)));
       if (none<Real>(is_lit)) continue;
@@ -197,6 +218,44 @@ class Shader final : public TileRenderer<Real> {
       const V3<Real> colour = load3(level.colour, i);
       store3<Real>(where<Real>(is_lit, add<Real>(colour, added), colour), level.colour, i);
     }
+  }
+
+  /// Rays that leave one object stay close to each other on their way to the light, wherever in the tile
+  /// they are; the numbers of objects follow their places in space.
+  HWY_NOINLINE void find_by_object(const Level<Real>& level, const Vec3<Real>& light) {
+    const std::size_t runs = runs_of_one_object(level);
+    std::sort(runs_.begin(), runs_.begin() + static_cast<std::ptrdiff_t>(runs));
+    std::size_t size = 0;
+    for (std::size_t r = 0; r < runs; ++r) {
+      const std::size_t begin = runs_[r] >> 16 & 0xffff, end = runs_[r] & 0xffff;
+      for (std::size_t i = begin; i < end; ++i) {
+        if (shadow_.rays.t[i] > 0) take(i, size++);
+      }
+    }
+    finder_.template find<true>(sorted_, 0, size, true, &light);
+    for (std::size_t to = 0; to < size; ++to) shadow_.rays.t[from_[to]] = sorted_.t[to];
+  }
+  /// Each as its object, its first ray, and the one after its last.
+  std::size_t runs_of_one_object(const Level<Real>& level) {
+    std::size_t runs = 0;
+    for (std::size_t i = 0; i < level.size;) {
+      const std::size_t begin = i;
+      const auto ref = static_cast<std::uint64_t>(level.rays.ref[i]);
+      while (i < level.size && level.rays.ref[i] == ref) ++i;
+      if (ref != 0) runs_[runs++] = ref << 32 | begin << 16 | i;
+    }
+    return runs;
+  }
+  HWY_INLINE void take(std::size_t i, std::size_t to) {
+    const Rays<Real>& rays = shadow_.rays;
+    put(sorted_.origin, to, vector_at(rays.origin, i));
+    put(sorted_.direction, to, vector_at(rays.direction, i));
+    sorted_.t_min[to] = rays.t_min[i];
+    sorted_.t[to] = rays.t[i];
+    sorted_.start[to] = rays.start[i];
+    sorted_.start_face[to] = rays.start_face[i];
+    sorted_.start_instance[to] = rays.start_instance[i];
+    from_[to] = static_cast<std::uint16_t>(i);
   }
 
   /// kd (l.n) + ks (r.v)^m.
@@ -363,8 +422,14 @@ class Shader final : public TileRenderer<Real> {
   const View<Real>& view_;
   std::vector<std::unique_ptr<Level<Real>>> levels_;
   ShadowRays<Real> shadow_;
-  Lanes3<Real> sum_;    ///< of the samples of a tile
-  Lanes3<Real> delta_;  ///< of lights seen through glass
+  Rays<Real> sorted_;
+  Lanes<std::uint64_t> runs_;
+  Lanes<std::uint16_t> from_;
+  Lanes3<Real> sum_;                 ///< of the samples of a tile
+  Lanes<Real> pixel_x_, pixel_y_;    ///< of the rays of a tile, from its corner
+  Lanes<std::uint32_t> whole_tile_;  ///< the parents of its rays
+  bool knows_whole_tile_ = false;    ///< and pixel_x_, pixel_y_ are of one
+  Lanes3<Real> delta_;               ///< of lights seen through glass
   Interiors<Real> interiors_;
   std::int32_t around_the_eye_ = Interiors<Real>::nothing;
   Statistics statistics_;
