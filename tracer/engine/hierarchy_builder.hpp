@@ -18,7 +18,7 @@ struct Item {
 
 /// No leaf has more nodes above it: 64 and, with the items at least halved from one to the next, 30 more for
 /// 2^29.
-inline constexpr int greatest_depth = 96;
+inline constexpr std::size_t greatest_depth = 96;
 
 /// Appends the nodes that hold all items, which are put in another order, and returns the root; nothing for
 /// no items. Top down, by the surface area heuristic over bins (Wald, "On fast Construction of SAH-based

@@ -107,7 +107,7 @@ Image render_in(const Scene& scene, const Camera& camera, const RenderJob& job, 
   Progress progress(job.progress, tiles.size());
   arena.execute([&] {
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, tiles.size()), [&](const auto& range) {
-      std::array<float, 3 * tile_edge * tile_edge> rgb;
+      std::array<float, 3 * pixels_of_tile> rgb;
       for (std::size_t i = range.begin(); i < range.end(); ++i) {
         const Tile& tile = tiles[i];
         renderers.local()->render(tile, rgb.data());

@@ -82,8 +82,8 @@ template <class Real>
 HWY_INLINE W<Real> face_of(V<Real> direction, unsigned axis, bool entered) {
   const WordTag<Real> w;
   const auto ascends = hn::RebindMask(w, hn::Gt(direction, set(Real(0))));
-  const auto low = hn::Set(w, static_cast<Word<Real>>(2 * axis)),
-             high = hn::Set(w, static_cast<Word<Real>>(2 * axis + 1));
+  const auto low = hn::Set(w, static_cast<Word<Real>>(axis) * 2),
+             high = hn::Set(w, static_cast<Word<Real>>(axis) * 2 + 1);
   return entered ? hn::IfThenElse(ascends, low, high) : hn::IfThenElse(ascends, high, low);
 }
 

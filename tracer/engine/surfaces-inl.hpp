@@ -87,8 +87,8 @@ class Surfaces {
   HWY_INLINE static V<Real> face_normal(W<Real> face, unsigned axis) {
     const Tag<Real> d;
     const WordTag<Real> w;
-    const auto low = hn::RebindMask(d, hn::Eq(face, hn::Set(w, static_cast<Word<Real>>(2 * axis))));
-    const auto high = hn::RebindMask(d, hn::Eq(face, hn::Set(w, static_cast<Word<Real>>(2 * axis + 1))));
+    const auto low = hn::RebindMask(d, hn::Eq(face, hn::Set(w, static_cast<Word<Real>>(axis) * 2)));
+    const auto high = hn::RebindMask(d, hn::Eq(face, hn::Set(w, static_cast<Word<Real>>(axis) * 2 + 1)));
     return hn::IfThenElseZero(hn::Or(low, high), hn::IfThenElse(low, set(Real(-1)), set(Real(1))));
   }
   Vec3<Real> normal_at(const Level<Real>& level, std::size_t lane, Ref ref) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -14,6 +15,7 @@
 namespace plumb::engine {
 
 inline constexpr int tile_edge = 16;
+inline constexpr std::size_t pixels_of_tile = std::size_t{tile_edge} * tile_edge;
 
 /// The camera in the engine's real type: the direction of a pixel is right * x + up * y + forward.
 template <class Real>
@@ -36,11 +38,11 @@ struct TilePixel {
 };
 
 /// The pixels of a whole tile along Morton's curve: every 8, 16, 64 in a row are a block of the picture.
-inline constexpr std::array<TilePixel, tile_edge* tile_edge> tile_pixels = [] {
+inline constexpr std::array<TilePixel, pixels_of_tile> tile_pixels = [] {
   constexpr auto even_bits = [](unsigned i) {
     return static_cast<std::uint8_t>((i & 1) | (i >> 1 & 2) | (i >> 2 & 4) | (i >> 3 & 8));
   };
-  std::array<TilePixel, tile_edge * tile_edge> pixels{};
+  std::array<TilePixel, pixels_of_tile> pixels{};
   for (unsigned i = 0; i < pixels.size(); ++i) pixels[i] = {even_bits(i), even_bits(i >> 1)};
   return pixels;
 }();
