@@ -10,17 +10,22 @@ Renderer renderer_for(Renderer asked, RealType real) {
   return real == RealType::long_double ? Renderer::textbook : asked;
 }
 
-Image render(Renderer renderer, const Scene& scene, const Camera& camera, const RenderJob& job,
-             engine::Statistics* statistics) {
+void render(Renderer renderer, const Scene& scene, const Camera& camera, const RenderJob& job,
+            const BandSink& sink, engine::Statistics* statistics) {
   if (renderer_for(renderer, job.real) == Renderer::engine)
-    return engine::render(scene, camera, job, statistics);
+    return engine::render(scene, camera, job, sink, statistics);
   const engine::Stopwatch watch;
-  Image image = textbook::render(scene, camera, job);
+  textbook::render(scene, camera, job, sink);
   if (statistics != nullptr) {
     statistics->render = watch.elapsed();
     statistics->kernel = "textbook: every ray against every object";
   }
-  return image;
+}
+
+Image render(Renderer renderer, const Scene& scene, const Camera& camera, const RenderJob& job,
+             engine::Statistics* statistics) {
+  return in_one_band(job.height,
+                     [&](const BandSink& sink) { render(renderer, scene, camera, job, sink, statistics); });
 }
 
 }  // namespace plumb::references

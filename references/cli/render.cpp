@@ -7,8 +7,9 @@
 #include "references/cli/options.hpp"
 #include "references/cli/progress.hpp"
 #include "references/cli/render_statistics.hpp"
+#include "references/render_to_file.hpp"
 #include "tracer/image/files.hpp"
-#include "tracer/image/io.hpp"
+#include "tracer/image/format.hpp"
 #include "tracer/scene/lexer.hpp"
 #include "tracer/scene/reader.hpp"
 
@@ -91,14 +92,12 @@ int render(const Options& options) {
   job.pattern = pattern_of(options);
   Progress progress("rendering " + options.scene);
   job.progress = [&](double fraction) { progress.show(fraction); };
-  const Image image =
-      references::render(renderer_of(options.common), scene, view.camera, job, &statistics.counts);
+  const references::RenderedFile file = references::render_to_file(
+      renderer_of(options.common), scene, view.camera, job, path, encoding, &statistics.counts);
   progress.clear();
-  if (is_of_one_colour(image))
+  statistics.write = file.write;
+  if (file.is_of_one_colour)
     warn(options.scene + ": warning: nothing is seen: every pixel has the same colour");
-  const engine::Stopwatch writing;
-  write_image(path, image, encoding);
-  statistics.write = writing.elapsed();
   report(options, job, statistics);
   if (options.image.empty()) std::printf("%s\n", path.c_str());
   return exit_agrees;

@@ -21,9 +21,22 @@ namespace {
 using Bytes = std::vector<std::uint8_t>;
 using Size = std::pair<int, int>;
 
+/// A file in memory.
+class Written final : public ByteSink {
+ public:
+  void write(std::string_view written) override { bytes += written; }
+  void seek(std::uint64_t) override { FAIL() << "a PNG is written from start to end"; }
+
+  std::string bytes;
+};
+
 std::string png_of(Size size, const Bytes& rgb) {
   void* const write = module_symbol(codecs::module_name, codecs::write_png_symbol);
-  return reinterpret_cast<codecs::WritePng>(write)(size.first, size.second, rgb);
+  Written file;
+  const auto writer = reinterpret_cast<codecs::WritePng>(write)(file, size.first, size.second);
+  writer->write(rgb);
+  writer->finish();
+  return file.bytes;
 }
 
 /// Levels 0 .. `levels` - 1.

@@ -4,11 +4,13 @@
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <mutex>
 #include <thread>
+#include <utility>
 
 #include "tracer/engine/compile.hpp"
 #include "tracer/engine/kernels.hpp"
@@ -37,11 +39,12 @@ View<Real> view_of(const Scene& scene, const Camera& camera, const RenderJob& jo
   return view;
 }
 
-std::vector<Tile> tiles_of(int width, int height) {
+std::vector<Tile> tiles_of(int width, int first_row, int end_row, const Settings& settings) {
   std::vector<Tile> tiles;
-  for (int y = 0; y < height; y += tile_edge) {
-    for (int x = 0; x < width; x += tile_edge)
-      tiles.push_back({x, y, std::min(tile_edge, width - x), std::min(tile_edge, height - y)});
+  for (int y = first_row; y < end_row; y += settings.tile_height) {
+    for (int x = 0; x < width; x += settings.tile_width)
+      tiles.push_back(
+          {x, y, std::min(settings.tile_width, width - x), std::min(settings.tile_height, end_row - y)});
   }
   return tiles;
 }
@@ -85,9 +88,60 @@ std::string kernel_of(const CompiledScene<Real>& scene, Vectors vectors) {
   return text;
 }
 
+/// Renders the bands of a picture.
 template <class Real>
-Image render_in(const Scene& scene, const Camera& camera, const RenderJob& job, Statistics* statistics,
-                const Settings& settings) {
+class BandRenderer {
+ public:
+  BandRenderer(const CompiledScene<Real>& scene, const View<Real>& view, const RenderJob& job,
+               const Settings& settings)
+      : view_(view),
+        settings_(settings),
+        renderers_([&scene, &view, &settings] { return make_tile_renderer(scene, view, settings.vectors); }),
+        progress_(job.progress, tiles_of(job.width, 0, job.height, settings).size()) {}
+
+  Image rendered(int first_row, int rows) {
+    Image band(view_.width, rows);
+    const std::vector<Tile> tiles = tiles_of(view_.width, first_row, first_row + rows, settings_);
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, tiles.size()), [&](const auto& range) {
+      std::array<float, 3 * pixels_of_tile> rgb;
+      for (std::size_t i = range.begin(); i < range.end(); ++i) {
+        const Tile& tile = tiles[i];
+        renderers_.local()->render(tile, rgb.data());
+        for (int y = 0; y < tile.height; ++y)
+          std::copy_n(&rgb[3 * static_cast<std::size_t>(y * tile.width)], 3 * tile.width,
+                      band.pixel(tile.x, tile.y - first_row + y));
+        progress_.add_one();
+      }
+    });
+    return band;
+  }
+  void add_counts_to(Statistics& counts) const {
+    for (const auto& renderer : renderers_) counts.add_counts(renderer->statistics());
+  }
+
+ private:
+  const View<Real>& view_;
+  const Settings& settings_;
+  tbb::enumerable_thread_specific<std::unique_ptr<TileRenderer<Real>>> renderers_;
+  Progress progress_;
+};
+
+/// Two bands are in memory: one is taken while the other is rendered.
+template <class Real>
+void hand_on(BandRenderer<Real>& renderer, int height, int rows, const BandSink& sink) {
+  Image done = renderer.rendered(0, std::min(rows, height));
+  for (int y = rows; y < height; y += rows) {
+    Image next;
+    tbb::parallel_invoke([&] { sink.take(std::move(done)); },
+                         [&] { next = renderer.rendered(y, std::min(rows, height - y)); });
+    done = std::move(next);
+  }
+  sink.take(std::move(done));
+}
+
+template <class Real>
+void render_in(const Scene& scene, const Camera& camera, const RenderJob& job, const BandSink& sink,
+               Statistics* statistics, const Settings& settings) {
   Statistics counts;
   const int available = static_cast<int>(std::thread::hardware_concurrency());
   const int threads = job.threads > 0 ? job.threads : available;
@@ -100,39 +154,32 @@ Image render_in(const Scene& scene, const Camera& camera, const RenderJob& job, 
 
   const Stopwatch rendering;
   const View<Real> view = view_of<Real>(scene, camera, job);
-  Image image(job.width, job.height);
-  const std::vector<Tile> tiles = tiles_of(job.width, job.height);
-  tbb::enumerable_thread_specific<std::unique_ptr<TileRenderer<Real>>> renderers(
-      [&] { return make_tile_renderer(compiled, view, settings.vectors); });
-  Progress progress(job.progress, tiles.size());
-  arena.execute([&] {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, tiles.size()), [&](const auto& range) {
-      std::array<float, 3 * pixels_of_tile> rgb;
-      for (std::size_t i = range.begin(); i < range.end(); ++i) {
-        const Tile& tile = tiles[i];
-        renderers.local()->render(tile, rgb.data());
-        for (int y = 0; y < tile.height; ++y)
-          std::copy_n(&rgb[3 * static_cast<std::size_t>(y * tile.width)], 3 * tile.width,
-                      image.pixel(tile.x, tile.y + y));
-        progress.add_one();
-      }
-    });
-  });
+  BandRenderer<Real> renderer(compiled, view, job, settings);
+  const int rows = std::max(sink.rows / settings.tile_height, 1) * settings.tile_height;
+  arena.execute([&] { hand_on(renderer, job.height, sink.rows < job.height ? rows : job.height, sink); });
   counts.render = rendering.elapsed();
-  for (const auto& renderer : renderers) counts.add_counts(renderer->statistics());
+  renderer.add_counts_to(counts);
   counts.bytes = bytes_of(compiled);
   counts.kernel = kernel_of(compiled, settings.vectors);
   counts.objects = compiled.spheres.size() + compiled.boxes.size();
   if (statistics != nullptr) *statistics = counts;
-  return image;
 }
 
 }  // namespace
 
+void render(const Scene& scene, const Camera& camera, const RenderJob& job, const BandSink& sink,
+            Statistics* statistics, const Settings& settings) {
+  if (job.real == RealType::float32) {
+    render_in<float>(scene, camera, job, sink, statistics, settings);
+  } else {
+    render_in<double>(scene, camera, job, sink, statistics, settings);
+  }
+}
+
 Image render(const Scene& scene, const Camera& camera, const RenderJob& job, Statistics* statistics,
              const Settings& settings) {
-  if (job.real == RealType::float32) return render_in<float>(scene, camera, job, statistics, settings);
-  return render_in<double>(scene, camera, job, statistics, settings);
+  return in_one_band(job.height,
+                     [&](const BandSink& sink) { render(scene, camera, job, sink, statistics, settings); });
 }
 
 }  // namespace plumb::engine

@@ -1,17 +1,24 @@
-// Renders a whole picture with the engine.
+// Renders a picture with the engine.
 #pragma once
 
 #include "tracer/engine/settings.hpp"
 #include "tracer/engine/statistics.hpp"
+#include "tracer/image/bands.hpp"
 #include "tracer/image/image.hpp"
 #include "tracer/scene/render_job.hpp"
 #include "tracer/scene/scene.hpp"
 
 namespace plumb::engine {
 
+/// Hands the picture on, band by band; while one is taken, the next is rendered. What taking throws ends the
+/// render and is thrown again. Otherwise as below.
+void render(const Scene& scene, const Camera& camera, const RenderJob& job, const BandSink& sink,
+            Statistics* statistics = nullptr, const Settings& settings = {});
+
 /// Linear colours, one sample through each pixel centre, as the textbook tracer computes them; the same for
-/// every number of threads and every width of vectors. Expects a scene as read_scene returns it without
-/// errors and a real type of 32 or 64 bits. Throws std::runtime_error on a scene that cannot be traced.
+/// every number of threads, every width of vectors and every size of tiles. Expects a scene as read_scene
+/// returns it without errors and a real type of 32 or 64 bits. Throws std::runtime_error on a scene that
+/// cannot be traced.
 Image render(const Scene& scene, const Camera& camera, const RenderJob& job, Statistics* statistics = nullptr,
              const Settings& settings = {});
 

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "tracer/engine/tile.hpp"
 #include "tracer/engine/vectors.hpp"
 
 namespace plumb::engine {
@@ -14,6 +15,8 @@ struct Settings {
   std::uint64_t most_written_out = 65536;
   /// Up to so many objects, bundles of rays may be of any width.
   std::size_t few_objects = 64;
+  /// Of the tiles that a thread renders at once: 1 to tile_edge.
+  int tile_width = tile_edge, tile_height = tile_edge;
 };
 
 }  // namespace plumb::engine

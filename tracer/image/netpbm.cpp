@@ -1,6 +1,5 @@
 #include "tracer/image/netpbm.hpp"
 
-#include <bit>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
@@ -72,27 +71,6 @@ std::size_t value_count(const ImageFile& file) {
 }
 
 }  // namespace
-
-std::string to_pfm(const Image& image) {
-  static_assert(std::endian::native == std::endian::little);
-  std::string bytes = "PF\n" + std::to_string(image.width) + " " + std::to_string(image.height) + "\n-1.0\n";
-  const std::size_t row = 3 * sizeof(float) * static_cast<std::size_t>(image.width);
-  std::size_t at = bytes.size();
-  bytes.resize(at + row * static_cast<std::size_t>(image.height));
-  for (int y = image.height - 1; y >= 0; --y, at += row)
-    std::memcpy(bytes.data() + at, image.pixel(0, y), row);
-  return bytes;
-}
-
-std::string to_ppm(int width, int height, const std::vector<unsigned char>& rgb) {
-  std::string text = "P3\n" + std::to_string(width) + " " + std::to_string(height) + "\n255\n";
-  const std::size_t row = 3 * static_cast<std::size_t>(width);
-  for (std::size_t i = 0; i < rgb.size(); ++i) {
-    text += std::to_string(rgb[i]);
-    text += (i + 1) % row == 0 ? '\n' : ' ';
-  }
-  return text;
-}
 
 PixelRows pfm_rows(std::string_view bytes, const std::string& name, std::shared_ptr<const void> owner) {
   Tokens tokens(bytes, name);

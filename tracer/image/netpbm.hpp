@@ -1,21 +1,14 @@
-// PFM and PPM, read and written here so that no image library need be loaded for them.
+// PFM and PPM, read here so that no image library need be loaded for them.
 #pragma once
 
 #include <memory>
 #include <string>
 #include <string_view>
-#include <vector>
 
-#include "tracer/image/image.hpp"
 #include "tracer/image/image_file.hpp"
 #include "tracer/image/pixel_rows.hpp"
 
 namespace plumb {
-
-/// Little-endian colour PFM (rows bottom to top, as the format has it).
-std::string to_pfm(const Image& image);
-/// The course framework's ASCII P3.
-std::string to_ppm(int width, int height, const std::vector<unsigned char>& rgb);
 
 /// Throw std::runtime_error saying what is wrong; `name` stands in the message.
 ImageFile from_pfm(std::string_view bytes, const std::string& name);

@@ -2,18 +2,22 @@
 // is a shared object of its own that is loaded on demand).
 #pragma once
 
+#include <memory>
 #include <string>
 
+#include "tracer/image/byte_sink.hpp"
 #include "tracer/image/image_file.hpp"
+#include "tracer/image/row_writer.hpp"
 
 namespace plumb::oiio {
 
 enum class Depth { float32, bits16 };
 
-/// Both return an empty string, or what went wrong. Writing, of linear colours, goes to memory, in the format
-/// of the name: OpenImageIO does not notice a full disk.
-using Write = std::string (*)(const std::string& name, const ImageFile& pixels, Depth depth,
-                              std::string& bytes);
+/// A writer of linear colours in the format of the path's name, into `file`, which must outlive it. Throws
+/// std::runtime_error naming the path.
+using Write = std::unique_ptr<RowWriter<float>> (*)(ByteSink& file, const std::string& path, int width,
+                                                    int height, Depth depth);
+/// Returns an empty string, or what went wrong.
 using Read = std::string (*)(const std::string& path, ImageFile& pixels);
 
 inline constexpr const char* module_name = "plumb_openimageio.so";

@@ -10,28 +10,32 @@ namespace plumb::textbook {
 namespace {
 
 template <class Real>
-Image render_in(const Scene& scene, const Camera& camera, const RenderJob& job) {
+void render_in(const Scene& scene, const Camera& camera, const RenderJob& job, const BandSink& sink) {
   const World<Real, LectureFormulas<Real>> world(scene, {});
   const Tracer<Real, LectureFormulas<Real>> tracer(world, camera, job.width, job.height, job.options);
-  return render_rows(tracer, job);
+  render_bands(tracer, job, sink);
 }
 
 }  // namespace
 
-Image render(const Scene& scene, const Camera& camera, const RenderJob& job) {
+void render(const Scene& scene, const Camera& camera, const RenderJob& job, const BandSink& sink) {
   if (job.samples != 1)
     throw std::invalid_argument("found " + std::to_string(job.samples) +
                                 " samples a pixel, expected 1: the textbook tracer, which renders "
                                 "long-double, too, takes the pixel's centre");
   switch (job.real) {
     case RealType::float32:
-      return render_in<float>(scene, camera, job);
+      return render_in<float>(scene, camera, job, sink);
     case RealType::long_double:
-      return render_in<long double>(scene, camera, job);
+      return render_in<long double>(scene, camera, job, sink);
     case RealType::float64:
       break;
   }
-  return render_in<double>(scene, camera, job);
+  return render_in<double>(scene, camera, job, sink);
+}
+
+Image render(const Scene& scene, const Camera& camera, const RenderJob& job) {
+  return in_one_band(job.height, [&](const BandSink& sink) { render(scene, camera, job, sink); });
 }
 
 }  // namespace plumb::textbook

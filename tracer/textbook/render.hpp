@@ -1,6 +1,7 @@
-// Renders a whole picture with the textbook tracer.
+// Renders a picture with the textbook tracer.
 #pragma once
 
+#include "tracer/image/bands.hpp"
 #include "tracer/image/image.hpp"
 #include "tracer/scene/render_job.hpp"
 #include "tracer/scene/scene.hpp"
@@ -9,6 +10,9 @@ namespace plumb::textbook {
 
 using plumb::RealType;
 using plumb::RenderJob;
+
+/// Hands the picture on, band by band; otherwise as below.
+void render(const Scene& scene, const Camera& camera, const RenderJob& job, const BandSink& sink);
 
 /// Linear colours, one sample through each pixel centre; the same for every number of threads. Expects a
 /// scene as read_scene returns it without errors. Throws std::runtime_error on a scene that cannot be

@@ -14,6 +14,12 @@ int threads_for(const RenderJob& job) {
   return std::clamp(job.threads > 0 ? job.threads : available, 1, job.height);
 }
 
+std::function<void(double)> progress_of_band(const RenderJob& job, int first_row, int rows) {
+  if (!job.progress) return {};
+  return
+      [&job, first_row, rows](double fraction) { job.progress((first_row + fraction * rows) / job.height); };
+}
+
 void for_each_row(int height, int threads, const std::function<void(double)>& progress,
                   const std::function<void(int)>& row) {
   std::atomic<int> next{0};

@@ -6,7 +6,10 @@
 #include <cstring>
 #include <memory>
 #include <new>
+#include <string>
 #include <string_view>
+
+#include "tracer/image/codecs/deflater.hpp"
 
 namespace plumb::codecs {
 namespace {
@@ -56,8 +59,8 @@ struct Buffer {
 
 /// Each row after filter 0, none: on rendered pictures the others save at most a sixth of the file, and take
 /// longer to deflate.
-Buffer filtered(std::size_t height, const std::vector<Byte>& rgb) {
-  const std::size_t row = rgb.size() / height;
+Buffer filtered(std::span<const Byte> rgb, std::size_t row) {
+  const std::size_t height = rgb.size() / row;
   Buffer rows(rgb.size() + height);
   for (std::size_t y = 0; y < height; ++y) {
     Byte* const out = rows.bytes.get() + y * (row + 1);
@@ -81,23 +84,58 @@ Buffer deflated(const Buffer& data) {
   return packed;
 }
 
+/// A picture that comes whole is deflated by libdeflate, in bands by zlib.
+class PngWriter final : public RowWriter<Byte> {
+ public:
+  PngWriter(ByteSink& file, int width, int height)
+      : file_(file), row_(3 * static_cast<std::size_t>(width)), height_(static_cast<std::size_t>(height)) {
+    chunks_ = "\x89PNG\r\n\x1a\n";
+    append_chunk(chunks_, "IHDR", header(width, height));
+    append_colour_space(chunks_);
+  }
+  void write(std::span<const Byte> rows) override {
+    const Buffer data = filtered(rows, row_);
+    if (rows.size() == row_ * height_) {
+      const Buffer packed = deflated(data);
+      append_data({reinterpret_cast<const char*>(packed.bytes.get()), packed.size});
+    } else {
+      if (!deflater_) deflater_ = std::make_unique<Deflater>();
+      deflater_->add({data.bytes.get(), data.size}, packed_);
+      const std::size_t whole_chunks = packed_.size() - packed_.size() % chunk_size;
+      append_data(std::string_view(packed_).substr(0, whole_chunks));
+      packed_.erase(0, whole_chunks);
+    }
+    pass_on();
+  }
+  void finish() override {
+    if (deflater_) deflater_->finish(packed_);
+    append_data(packed_);
+    append_chunk(chunks_, "IEND", "");
+    pass_on();
+  }
+
+ private:
+  static constexpr std::size_t chunk_size = std::size_t{1} << 20;  // readers hold a whole chunk
+
+  void append_data(std::string_view packed) {
+    constexpr std::size_t room_for_the_others = 1024;
+    chunks_.reserve(chunks_.size() + packed.size() + packed.size() / 1024 + room_for_the_others);
+    for (; !packed.empty(); packed.remove_prefix(std::min(chunk_size, packed.size())))
+      append_chunk(chunks_, "IDAT", packed.substr(0, chunk_size));
+  }
+  void pass_on() {
+    file_.write(chunks_);
+    chunks_.clear();
+  }
+
+  ByteSink& file_;
+  std::size_t row_, height_;  ///< bytes, rows
+  std::string chunks_;        ///< to be written
+  std::unique_ptr<Deflater> deflater_;
+  std::string packed_;  ///< deflated, but no chunk yet
+};
+
 }  // namespace
-
-std::string write_png(int width, int height, const std::vector<Byte>& rgb) {
-  const Buffer packed = deflated(filtered(static_cast<std::size_t>(height), rgb));
-  std::string_view rest(reinterpret_cast<const char*>(packed.bytes.get()), packed.size);
-  constexpr std::size_t room_for_the_others = 1024,
-                        most = std::size_t{1} << 20;  // readers hold a whole chunk
-  std::string file = "\x89PNG\r\n\x1a\n";
-  file.reserve(packed.size + room_for_the_others);
-  append_chunk(file, "IHDR", header(width, height));
-  append_colour_space(file);
-  for (; !rest.empty(); rest.remove_prefix(std::min(most, rest.size())))
-    append_chunk(file, "IDAT", rest.substr(0, most));
-  append_chunk(file, "IEND", "");
-  return file;
-}
-
 }  // namespace plumb::codecs
 
 #pragma GCC diagnostic push
@@ -105,8 +143,9 @@ std::string write_png(int width, int height, const std::vector<Byte>& rgb) {
 #pragma GCC diagnostic ignored "-Wreturn-type-c-linkage"  // only called through the type in the header
 #endif
 
-extern "C" std::string plumb_codecs_write_png(int width, int height, const std::vector<std::uint8_t>& rgb) {
-  return plumb::codecs::write_png(width, height, rgb);
+extern "C" std::unique_ptr<plumb::RowWriter<std::uint8_t>> plumb_codecs_write_png(plumb::ByteSink& file,
+                                                                                  int width, int height) {
+  return std::make_unique<plumb::codecs::PngWriter>(file, width, height);
 }
 
 #pragma GCC diagnostic pop

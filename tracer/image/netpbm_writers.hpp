@@ -1,0 +1,18 @@
+// PFM and PPM, written here so that no image library need be loaded for them.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "tracer/image/byte_sink.hpp"
+#include "tracer/image/row_writer.hpp"
+
+namespace plumb {
+
+/// Little-endian colour PFM (rows bottom to top, as the format has it: it seeks). The file must outlive it.
+std::unique_ptr<RowWriter<float>> pfm_writer(ByteSink& file, int width, int height);
+
+/// The course framework's ASCII P3. The file must outlive it.
+std::unique_ptr<RowWriter<std::uint8_t>> ppm_writer(ByteSink& file, int width, int height);
+
+}  // namespace plumb
