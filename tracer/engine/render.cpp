@@ -42,9 +42,10 @@ View<Real> view_of(const Scene& scene, const Camera& camera, const RenderJob& jo
 std::vector<Tile> tiles_of(int width, int first_row, int end_row, const Settings& settings) {
   std::vector<Tile> tiles;
   for (int y = first_row; y < end_row; y += settings.tile_height) {
-    for (int x = 0; x < width; x += settings.tile_width)
+    for (int x = 0; x < width; x += settings.tile_width) {
       tiles.push_back(
           {x, y, std::min(settings.tile_width, width - x), std::min(settings.tile_height, end_row - y)});
+    }
   }
   return tiles;
 }
@@ -107,9 +108,10 @@ class BandRenderer {
       for (std::size_t i = range.begin(); i < range.end(); ++i) {
         const Tile& tile = tiles[i];
         renderers_.local()->render(tile, rgb.data());
-        for (int y = 0; y < tile.height; ++y)
+        for (int y = 0; y < tile.height; ++y) {
           std::copy_n(&rgb[3 * static_cast<std::size_t>(y * tile.width)], 3 * tile.width,
                       band.pixel(tile.x, tile.y - first_row + y));
+        }
         progress_.add_one();
       }
     });
