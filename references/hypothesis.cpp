@@ -42,24 +42,36 @@ void add_curves(std::vector<Hypothesis>& list) {
                   .curve = [](double v) { return v < 1 ? v / (1 - v) : INFINITY; }});
 }
 
-void add_8_bits(std::vector<Hypothesis>& list, const std::string& name, const std::string& text,
-                const std::function<double(double)>& curve) {
-  // Float arithmetic before the rounding moves a value by far less than a thousandth of a step.
-  constexpr double noise = 1e-3 / 255;
-  list.push_back({.name = name + "rounded_to_8_bits",
-                  .text = text + "rounded to 8 bits",
+/// Colours from 0 to 1 in a file of whole numbers.
+struct Integers {
+  int bits;
+  int most;
+};
+constexpr Integers integers_tried[] = {{8, 255}, {16, 65535}};
+
+void add_integers(std::vector<Hypothesis>& list, const Integers& file, const std::string& name,
+                  const std::string& text, const std::function<double(double)>& curve) {
+  const std::string bits = std::to_string(file.bits);
+  const double step = 1.0 / file.most;
+  // Float arithmetic before the rounding moves a value by some 1e-7: far less than a thousandth of a step of
+  // 8 bits, or than a tenth of one of 16.
+  const double noise = std::min(1e-3 / 255, 0.1 * step);
+  const auto is_level = [most = file.most](float value) { return curves::is_level(value, most); };
+  list.push_back({.name = name + "rounded_to_" + bits + "_bits",
+                  .text = text + "rounded to " + bits + " bits",
                   .curve = curve,
-                  .least = -0.5 / 255 - noise,
-                  .most = 0.5 / 255 + noise,
-                  .is_level = curves::is_8_bit,
-                  .because = "half a step of 8 bits is 1/510"});
-  list.push_back({.name = name + "truncated_to_8_bits",
-                  .text = text + "truncated to 8 bits",
+                  .least = -0.5 * step - noise,
+                  .most = 0.5 * step + noise,
+                  .is_level = is_level,
+                  .because = "half a step of " + bits + " bits is 1/" + std::to_string(2 * file.most)});
+  list.push_back({.name = name + "truncated_to_" + bits + "_bits",
+                  .text = text + "truncated to " + bits + " bits",
                   .curve = curve,
-                  .least = -1.0 / 255 - noise,
+                  .least = -step - noise,
                   .most = noise,
-                  .is_level = curves::is_8_bit,
-                  .because = "a step of 8 bits is 1/255, and truncation only darkens"});
+                  .is_level = is_level,
+                  .because = "a step of " + bits + " bits is 1/" + std::to_string(file.most) +
+                             ", and truncation only darkens"});
 }
 
 }  // namespace
@@ -73,11 +85,13 @@ const std::vector<Hypothesis>& hypotheses() {
                     .text = "the test picture holds half floats, the reference more",
                     .curve = [](double v) { return curves::half_rounded(static_cast<float>(v)); },
                     .is_level = [](float v) { return curves::half_rounded(v) == v; }});
-    add_8_bits(made, "", "the test picture is ", clamped);
-    add_8_bits(made, "srgb_encoded_", "the test picture is gamma-encoded (sRGB) and ",
-               [](double v) { return curves::srgb_encoded(clamped(v)); });
-    add_8_bits(made, "tone_mapped_", "the test picture is tone-mapped, c / (c + 1), and ",
-               curves::tone_mapped);
+    for (const Integers& file : integers_tried) {
+      add_integers(made, file, "", "the test picture is ", clamped);
+      add_integers(made, file, "srgb_encoded_", "the test picture is gamma-encoded (sRGB) and ",
+                   [](double v) { return curves::srgb_encoded(clamped(v)); });
+      add_integers(made, file, "tone_mapped_", "the test picture is tone-mapped, c / (c + 1), and ",
+                   curves::tone_mapped);
+    }
     return made;
   }();
   return list;

@@ -349,6 +349,19 @@ TEST_P(Named, AndFailsTheComparison) {
   EXPECT_TRUE(contains(outcome.out, "(then 0 pixels over")) << outcome.out;
 }
 
+TEST_F(Compare, SixteenBitFilesOfAFloatPictureAreNamed) {
+  const std::string tool = references::find_program("oiiotool");
+  if (tool.empty()) GTEST_SKIP() << "oiiotool (openimageio-tools) is not installed";
+  file("a.pfm", pfm(wide, high, colourful()));
+  for (const std::string name : {"a.png", "a.tif"}) {
+    run_shell("'" + tool + "' a.pfm -d uint16 -o " + name, workplace_.directory());
+    const Json json = compare_json("a.pfm", name);
+    ASSERT_TRUE(json.contains("likely_cause")) << name;
+    EXPECT_EQ(json.at("likely_cause").at("name"), "rounded_to_16_bits") << name;
+    EXPECT_TRUE(contains(compare("a.pfm", name).out, "rounded to 16 bits (then 0 pixels over")) << name;
+  }
+}
+
 TEST_F(Compare, MostOfTheErrorGoneIsSaidWithWhatIsLeft) {
   const std::vector<float> reference = colourful();
   std::vector<float> test;
