@@ -201,6 +201,24 @@ TEST_F(Verify, ToleranceZeroDiffersWithExitCode1) {
   EXPECT_TRUE(contains(outcome.out, "0 agree, 1 differ, 0 in trouble")) << outcome.out;
 }
 
+/// The figure is that of float against double, which no other difference gets into.
+TEST_F(Verify, FloatIsNamedWhereItDiffers) {
+  const std::string by_float = "rendered with --real float: float32 alone differs from double by up to ";
+  const Outcome differs = verify({"ball.sdf", "--real", "float", "--tolerance", "1e-7"});
+  EXPECT_EQ(differs.exit_code, 1) << differs.out;
+  EXPECT_TRUE(contains(differs.out, by_float)) << differs.out;
+  EXPECT_TRUE(contains(differs.out, "; try --real double")) << differs.out;
+  const std::string figure = differs.out.substr(differs.out.find(by_float) + by_float.size());
+  EXPECT_GT(std::stod(figure), 1e-7) << differs.out;
+  EXPECT_LT(std::stod(figure), 1e-5) << differs.out;
+  const Outcome agrees = verify({"ball.sdf", "--real", "float", "--tolerance", "0.1"});
+  EXPECT_EQ(agrees.exit_code, 0) << agrees.out;
+  EXPECT_FALSE(contains(agrees.out, "--real")) << agrees.out;
+  const Outcome of_double = verify({"ball.sdf", "--tolerance", "0"});
+  EXPECT_EQ(of_double.exit_code, 1) << of_double.out;
+  EXPECT_FALSE(contains(of_double.out, "--real")) << of_double.out;
+}
+
 /// Rounding is no tie: a lone sphere coincides with nothing, however small the tolerance.
 TEST_F(Verify, ALoneSphereHasNoTies) {
   for (const char* const tolerance : {"0", "1e-9", "1e-8"}) {
