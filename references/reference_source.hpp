@@ -16,7 +16,8 @@ struct ReferencePicture {
   Precision precision = Precision::float32;
   std::string warnings;    ///< of the renderer
   double cpu_seconds = 0;  ///< when it was rendered now
-  bool cached = false;     ///< or stored
+  bool cached = false;     ///< or stored: not rendered now
+  bool stored = false;
 };
 
 class ReferenceSource {

@@ -84,6 +84,7 @@ class SceneVerifier {
   void whole(std::size_t warnings) {
     const ReferencePicture reference = picture_of(scene_, options_.render);
     result_.cached = reference.cached;
+    result_.stored = reference.stored;
     result_.seconds_reference = reference.cpu_seconds;
     const double before = cpu_seconds(threads_ > 1);
     const Image ours = ours_of(scene_, options_.render, options_.real);

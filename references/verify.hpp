@@ -71,7 +71,8 @@ struct SceneResult {
   std::vector<TermResult> terms;  ///< all, when they were asked for
   double seconds_ours = 0;        ///< of CPU time
   double seconds_reference = 0;   ///< of CPU time, when it was rendered
-  bool cached = false;
+  bool cached = false;            ///< or stored: the reference was not rendered now
+  bool stored = false;
   std::shared_ptr<const Pictures> pictures;  ///< when they are kept, and it was rendered
 };
 

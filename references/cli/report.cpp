@@ -167,7 +167,7 @@ std::string table_row(const SceneResult& r, std::size_t width) {
     row += formatted("%10s %10.2g %8zu %7zu  ", size.c_str(), r.comparison.judged_error,
                      r.comparison.pixels_over, r.budget.count(references::Cause::unexplained));
   }
-  row += std::string(to_string(r.status)) + (r.cached ? " (cached)" : "");
+  row += std::string(to_string(r.status)) + (r.stored ? " (stored)" : r.cached ? " (cached)" : "");
   if (!r.terms.empty()) row += "\n      largest error of each term:" + terms_text(r.terms);
   if (!r.message.empty()) row += "\n      " + indented(r.message);
   return row;

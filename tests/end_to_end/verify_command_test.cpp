@@ -408,8 +408,11 @@ TEST_F(StoredImages, AreComparedWithoutPovRay) {
   const Outcome outcome = verify({"ball.sdf", "--stored"}, {references(), path});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
   EXPECT_TRUE(contains(outcome.out, "1 agree")) << outcome.out;
+  EXPECT_TRUE(contains(outcome.out, " agree (stored)\n")) << outcome.out;
   EXPECT_TRUE(contains(outcome.err, "NO POV-RAY IS RUN")) << outcome.err;
   EXPECT_EQ(starts_of_povray(), 0U);
+  const Json scene = verify_json({"ball.sdf", "--stored"}, {references(), path}).at("scenes").at(0);
+  EXPECT_EQ(scene.at("cached"), true) << "was not rendered now";
 }
 
 TEST_F(StoredImages, AreTheFallBackWithoutPovRaySaidLoudly) {
