@@ -29,6 +29,9 @@ class ReferenceSource {
   /// To be said loudly when stored images are used; else empty.
   const std::string& notice() const { return notice_; }
 
+  /// What should be said at the end: POV-Ray's pictures could not be kept; else empty.
+  std::string complaint() const { return cache_.complaint(); }
+
   /// Throws PovrayError or std::runtime_error. May be called from several threads.
   ReferencePicture picture(const PovrayJob& job) const;
 

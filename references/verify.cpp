@@ -280,6 +280,7 @@ VerifyReport verify(const std::vector<std::string>& scenes, const VerifyOptions&
   work();
   helpers.clear();
   if (failure) std::rethrow_exception(failure);
+  report.complaint = source.complaint();
   return report;
 }
 

@@ -83,6 +83,7 @@ void judge(const AttributionJob& job, SceneResult& result);
 struct VerifyReport {
   std::string reference_version;
   std::string notice;               ///< to be said loudly: stored images are used because ...
+  std::string complaint;            ///< to be said: the cache cannot be written; figures and verdicts stand
   std::vector<SceneResult> scenes;  ///< in the order asked for
 
   /// 0 all agree, 1 some differ, 2 trouble.

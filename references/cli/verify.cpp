@@ -56,6 +56,7 @@ int run_verify(const Options& options) {
     progress.show(static_cast<double>(++done) / static_cast<double>(options.scenes.size()));
   });
   progress.clear();
+  if (!report.complaint.empty()) warn(report.complaint);
   if (!options.json.empty()) write_json(options.json, to_json(report));
   page.finish();
   if (table) std::printf("%s\n", outcome(report).c_str());

@@ -377,8 +377,24 @@ TEST_P(DamagedCache, IsNoticedAndRenderedAgain) {
 }
 
 TEST_F(Verify, ACacheThatCannotBeWrittenIsNoTrouble) {
-  const Outcome outcome = verify({"ball.sdf"}, {"PLUMB_CACHE=/proc/nowhere"});
+  workplace_.file("second.sdf", replaced(ball_scene, "-3 1 red", "-4 1 red"));
+  const std::vector<std::string> scenes{"ball.sdf", "second.sdf"};
+  const Outcome outcome = verify(scenes, {"PLUMB_CACHE=/proc/nowhere"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  EXPECT_TRUE(contains(outcome.out, "2 agree")) << outcome.out;
+  EXPECT_TRUE(outcome.err.starts_with("warning: /proc/nowhere: cannot be written: ")) << outcome.err;
+  for (const char* const part : {"renders them again", "PLUMB_CACHE"})
+    EXPECT_TRUE(contains(outcome.err, part)) << outcome.err;
+  EXPECT_EQ(lines_in(outcome.err), 1U) << "once, whatever the number of scenes: " << outcome.err;
+}
+
+TEST_F(Verify, ACacheUnderAFileIsToldBesideTheJson) {
+  workplace_.file("plain", "");
+  const Outcome outcome =
+      verify({"ball.sdf", "--json", "-"}, {"PLUMB_CACHE=" + workplace_.path("plain") + "/cache"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_TRUE(Json::accept(outcome.out)) << outcome.out;
+  EXPECT_TRUE(contains(outcome.err, "plain/cache: cannot be written: Not a directory")) << outcome.err;
 }
 
 // --- stored images --------------------------------------------------------------------------------
