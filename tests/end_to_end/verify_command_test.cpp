@@ -453,6 +453,8 @@ TEST_F(Verify, TheReportIsOnePageWithEveryScene) {
   const std::string page = read_file(workplace_.path("out/report/index.html"));
   for (const char* const part : {"ball.sdf", "broken.sdf", "plumb explain --size 16x12", "agree"})
     EXPECT_TRUE(contains(page, part)) << part;
+  EXPECT_TRUE(contains(outcome.out, "\nreport: out/report/index.html\n")) << outcome.out;
+  EXPECT_TRUE(Json::accept(verify({"ball.sdf", "--report", "out", "--json", "-"}).out)) << "JSON is alone";
   EXPECT_EQ(verify({"ball.sdf", "--report", "ball.sdf"}).exit_code, 2) << "no directory can be made there";
 }
 
