@@ -94,8 +94,8 @@ void judge_image(const Baselines& baselines, const RegressOptions& options, cons
   judge(job, result);
   if (options.keeps_pictures) result.pictures = pictures_of(job, result.comparison, result.budget);
   if (result.status == Status::differ) {
-    const std::string explained = result.message.empty() ? "" : "; " + result.message;
-    result.message = difference(result.comparison) + explained + asked;
+    const std::string explained = result.message.empty() ? "" : "\n" + result.message;
+    result.message = difference(result.comparison) + asked + explained;
   }
 }
 

@@ -70,6 +70,20 @@ TEST_F(Regress, ADifferenceNamesTheWorstPixelBothValuesAndWhoApproved) {
     EXPECT_TRUE(contains(outcome.out, part)) << part << " is missing in\n" << outcome.out;
 }
 
+TEST_F(Regress, WhoApprovedFollowsTheDifferenceAndNotesOfAttributionAreLast) {
+  const std::vector<std::string> large{"--size", "160x120"};  // more pixels over than are examined
+  ASSERT_EQ(regress({"--update", "ball", "--because", "x", large[0], large[1]}).exit_code, 0);
+  workplace_.file("scenes/ball.sdf", moved_ball());
+  const std::string message = scene_json(large).at("message");
+  std::vector<std::size_t> places;
+  for (const char* const part : {" pixels are over; worst pixel ", "\nbaseline approved by ",
+                                 "\nthe scene file has changed since\n", "not examined"}) {
+    EXPECT_TRUE(contains(message, part)) << part << " is missing in\n" << message;
+    places.push_back(message.find(part));
+  }
+  EXPECT_TRUE(std::is_sorted(places.begin(), places.end())) << message;
+}
+
 /// A change of one float's last bits is far below 1e-6; a change of 2e-6 is not.
 TEST_F(Regress, TheToleranceDecides) {
   approve("ball");
