@@ -227,6 +227,7 @@ int VerifyReport::exit_code() const {
 
 void judge(const AttributionJob& job, SceneResult& result) {
   result.comparison = compare(job.reference, job.test, job.tolerance);
+  result.not_compared.clear();
   const auto view = [](const Image& i) { return PictureView{i.width, i.height, 3, i.rgb.data()}; };
   result.metrics = cheap_metrics(view(job.reference), view(job.test));
   if (result.comparison.pixels_over > 0) result.budget = attribute(job);

@@ -65,6 +65,7 @@ struct SceneResult {
   std::string message;
   int width = 0;
   int height = 0;
+  std::string not_compared = "nothing was compared";  ///< why there are no figures; empty when there are
   Comparison comparison;
   Metrics metrics;  ///< the cheap ones
   Budget budget;
@@ -76,7 +77,7 @@ struct SceneResult {
   std::shared_ptr<const Pictures> pictures;  ///< when they are kept, and it was rendered
 };
 
-/// Compares the pictures, attributes every pixel over, and sets comparison, metrics, budget and status; the
+/// Compares the pictures, attributes every pixel over, and sets the figures and the status; the
 /// budget in words goes to the message. Width and height are set already.
 void judge(const AttributionJob& job, SceneResult& result);
 
