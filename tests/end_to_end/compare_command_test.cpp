@@ -435,6 +435,32 @@ TEST_F(Compare, AlphaIsNamed) {
   expect_trouble(compare("rgba.png", "rgb.png"), {"rgb.png", "3 channels", "the reference has an alpha"});
 }
 
+class EmptyFile : public Compare, public testing::WithParamInterface<Word> {};
+INSTANTIATE_TEST_SUITE_P(Of, EmptyFile,
+                         testing::Values(Word{"pfm"}, Word{"ppm"}, Word{"exr"}, Word{"png"}, Word{"tif"},
+                                         Word{"jpg"}),
+                         [](const auto& test) { return std::string(test.param.text); });
+
+TEST_P(EmptyFile, IsNamedAndSoIsWhatWasExpected) {
+  const std::string kind = GetParam().text, name = "empty." + kind;
+  std::string upper = kind;
+  std::transform(kind.begin(), kind.end(), upper.begin(),
+                 [](char c) { return static_cast<char>(c - 'a' + 'A'); });
+  file("a.pfm", pfm(1, 1, {0, 0, 0}));
+  file(name, "");
+  const Outcome outcome = compare("a.pfm", name);
+  expect_trouble(outcome,
+                 {name + ": cannot be read: the file is empty (0 bytes), expected an image (" + upper + ")"});
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  expect_trouble(compare(name, "a.pfm"), {name, "is empty"});
+}
+
+TEST_F(Compare, AnEmptyFileOfNoKindIsNamedToo) {
+  file("empty", "");
+  expect_trouble(compare("empty", "empty"),
+                 {"empty: cannot be read: the file is empty (0 bytes), expected an image"});
+}
+
 // --- metrics ----------------------------------------------------------------------------------------
 
 TEST_F(Compare, MetricsAreToldOnDemand) {
@@ -533,8 +559,8 @@ INSTANTIATE_TEST_SUITE_P(Is, NoImage,
                              {"TextAsNothing", "text", "hello\n", "text"},
                              {"EmptyPng", "empty.png", "", "empty.png"},
                              {"EmptyExr", "empty.exr", "", "empty.exr"},
-                             {"EmptyPpm", "empty.ppm", "", "truncated"},
-                             {"EmptyPfm", "empty.pfm", "", "truncated"},
+                             {"EmptyPpm", "empty.ppm", "", "is empty"},
+                             {"EmptyPfm", "empty.pfm", "", "is empty"},
                              {"PfmWithoutPixels", "cut.pfm", "PF\n2 1\n-1\n", "truncated"},
                              {"PfmCutByAByte", "cut.pfm", pfm(2, 1, std::vector<float>(6, 0)).substr(0, 34),
                               "truncated"},
