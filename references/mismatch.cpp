@@ -111,13 +111,15 @@ class Trial {
       std::reverse(t_some_.begin(), t_some_.begin() + static_cast<std::ptrdiff_t>(size));
       for (std::size_t i = 0; i < size; i += channels_) std::reverse(&t_some_[i], &t_some_[i] + channels_);
     }
-    if (h.swaps_channels && channels_ >= 3)
+    if (h.swaps_channels && channels_ >= 3) {
       for (std::size_t i = 0; i < size; i += channels_) std::swap(r_some_[i], r_some_[i + 2]);
-    if (h.curve)
+    }
+    if (h.curve) {
       std::transform(r_some_.begin(), r_some_.begin() + static_cast<std::ptrdiff_t>(size), expected_.begin(),
                      h.curve);
-    else
+    } else {
       std::copy_n(r_some_.begin(), size, expected_.begin());
+    }
     return sum_of_squares(t_some_, expected_, size);
   }
 
