@@ -93,15 +93,6 @@ std::optional<PovrayPicture> unpack(std::string_view bytes) {
   return picture;
 }
 
-void write_entry(const std::string& path, const std::string& bytes) {
-  try {
-    fs::create_directories(fs::path(path).parent_path());
-    write_file(path, bytes);
-  } catch (const std::exception&) {
-    return;  // documented: no error
-  }
-}
-
 /// Changes whenever the program file does.
 std::string fingerprint(const std::string& program) {
   struct stat info {};
@@ -124,6 +115,29 @@ std::string Cache::version_of(const Povray& povray) const {
   const std::string version = povray.version();
   write_entry(path, version + "\n" + checksum(print + version));
   return version;
+}
+
+std::string Cache::complaint() const {
+  const std::lock_guard lock(mutex_);
+  return complaint_;
+}
+
+void Cache::write_entry(const std::string& path, const std::string& bytes) const {
+  std::string cause;
+  try {
+    fs::create_directories(directory_);
+    write_file(path, bytes);
+    return;
+  } catch (const fs::filesystem_error& error) {
+    cause = directory_ + ": cannot be written: " + error.code().message();
+  } catch (const std::exception& error) {
+    cause = error.what();
+  }
+  const std::lock_guard lock(mutex_);
+  if (!complaint_.empty()) return;
+  complaint_ = "warning: " + cause +
+               "; POV-Ray's pictures are not kept, so the next run renders them again: make room or mend the "
+               "permissions there, or name another directory with PLUMB_CACHE";
 }
 
 std::string Cache::entry_path(const PovrayJob& job, const std::string& version) const {

@@ -23,9 +23,10 @@ float half_rounded(float value) {
   return static_cast<float>(std::nearbyint(value / step) * step);
 }
 
-bool is_8_bit(float value) {
-  const float level = std::nearbyint(value * 255);
-  return level >= 0 && level <= 255 && std::abs(value * 255 - level) < 1e-4F;
+bool is_level(float value, int most) {
+  constexpr double roundings = 4e-7;  // of the floats that a reader may compute k / most in
+  const double scaled = static_cast<double>(value) * most, level = std::nearbyint(scaled);
+  return level >= 0 && level <= most && std::abs(scaled - level) < roundings * most;
 }
 
 }  // namespace plumb::references::curves

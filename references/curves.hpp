@@ -10,7 +10,7 @@ double srgb_decoded(double encoded);
 double tone_mapped(double linear);
 /// The nearest half float (IEEE 754 binary16, ties to even) below its overflow.
 float half_rounded(float value);
-/// Whether it is k / 255 for a k from 0 to 255, as a float holds it.
-bool is_8_bit(float value);
+/// Whether it is k / most for a whole k from 0 to `most` (255, 65535), as a float holds it.
+bool is_level(float value, int most);
 
 }  // namespace plumb::references::curves

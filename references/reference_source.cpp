@@ -34,7 +34,8 @@ ReferencePicture ReferenceSource::picture(const PovrayJob& job) const {
     if (found->precision == "float32") cache_.store(job, version_, *found);
   }
   const Precision precision = found->precision == "float32" ? Precision::float32 : Precision::bits16;
-  return {std::move(found->image), precision, found->warnings, cached ? 0 : found->cpu_seconds, cached};
+  return {std::move(found->image),         precision, found->warnings,
+          cached ? 0 : found->cpu_seconds, cached,    false};
 }
 
 ReferencePicture ReferenceSource::stored_picture(const PovrayJob& job) const {
@@ -43,7 +44,7 @@ ReferencePicture ReferenceSource::stored_picture(const PovrayJob& job) const {
     throw PovrayError("no stored reference image for this export at " + std::to_string(job.width) + " x " +
                       std::to_string(job.height) + "; run with POV-Ray");
   }
-  return {stored_->load(*entry), Precision::float32, "", 0, true};
+  return {stored_->load(*entry), Precision::float32, "", 0, true, true};
 }
 
 }  // namespace plumb::references

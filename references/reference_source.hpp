@@ -16,7 +16,8 @@ struct ReferencePicture {
   Precision precision = Precision::float32;
   std::string warnings;    ///< of the renderer
   double cpu_seconds = 0;  ///< when it was rendered now
-  bool cached = false;     ///< or stored
+  bool cached = false;     ///< or stored: not rendered now
+  bool stored = false;
 };
 
 class ReferenceSource {
@@ -27,6 +28,9 @@ class ReferenceSource {
   const std::string& version() const { return version_; }
   /// To be said loudly when stored images are used; else empty.
   const std::string& notice() const { return notice_; }
+
+  /// What should be said at the end: POV-Ray's pictures could not be kept; else empty.
+  std::string complaint() const { return cache_.complaint(); }
 
   /// Throws PovrayError or std::runtime_error. May be called from several threads.
   ReferencePicture picture(const PovrayJob& job) const;

@@ -72,6 +72,7 @@ void judge_new(const Baselines& baselines, RegressedScene& scene) {
   }
   scene.result.status = Status::differ;
   scene.result.message = "new: there is no baseline yet";
+  scene.result.not_compared = "there is nothing to compare with: no image was approved yet";
   scene.result.comparison.pixels = scene.image->rgb.size() / 3;
 }
 
@@ -87,6 +88,7 @@ void judge_image(const Baselines& baselines, const RegressOptions& options, cons
     result.comparison.pixels = result.comparison.pixels_over = scene.image->rgb.size() / 3;
     result.message = "the size is " + size_text(result.width, result.height) + ", of the baseline " +
                      size_text(baseline->width, baseline->height) + asked;
+    result.not_compared = "images of two sizes are not compared";
     return;
   }
   const AttributionJob job{read,         camera_of(read, options), options.render,     *scene.baseline,
@@ -94,8 +96,8 @@ void judge_image(const Baselines& baselines, const RegressOptions& options, cons
   judge(job, result);
   if (options.keeps_pictures) result.pictures = pictures_of(job, result.comparison, result.budget);
   if (result.status == Status::differ) {
-    const std::string explained = result.message.empty() ? "" : "; " + result.message;
-    result.message = difference(result.comparison) + explained + asked;
+    const std::string explained = result.message.empty() ? "" : "\n" + result.message;
+    result.message = difference(result.comparison) + asked + explained;
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <charconv>
 #include <exception>
 #include <memory>
 #include <mutex>
@@ -49,6 +50,11 @@ std::string verdict(const SceneResult& result, const std::string& broken) {
   return broken.empty() ? said : said + "; but " + broken;
 }
 
+std::string number(double value) {
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof text, value, std::chars_format::general, 3).ptr};
+}
+
 /// What agreement means little without: a picture of nothing, a file that was read with reservations.
 std::string reservations(const Image& ours, std::size_t warnings) {
   std::string said;
@@ -78,12 +84,14 @@ class SceneVerifier {
   void whole(std::size_t warnings) {
     const ReferencePicture reference = picture_of(scene_, options_.render);
     result_.cached = reference.cached;
+    result_.stored = reference.stored;
     result_.seconds_reference = reference.cpu_seconds;
     const double before = cpu_seconds(threads_ > 1);
-    const Image ours = ours_of(scene_, options_.render);
+    const Image ours = ours_of(scene_, options_.render, options_.real);
     result_.seconds_ours = cpu_seconds(threads_ > 1) - before;
     const AttributionJob whole = job(scene_, options_.render, reference, ours);
     judge(whole, result_);
+    if (result_.status == Status::differ && options_.real == RealType::float32) blame_float(ours);
     if (!reference.warnings.empty()) add_message(result_, "POV-Ray warns: " + reference.warnings);
     add_message(result_, reservations(ours, warnings));
     if (options_.keeps_pictures) result_.pictures = pictures_of(whole, result_.comparison, result_.budget);
@@ -109,10 +117,19 @@ class SceneVerifier {
   }
 
  private:
+  /// The figure is measured, against our own picture in double: whether float is all that is wrong shows in
+  /// it.
+  void blame_float(const Image& ours) {
+    const Image in_double = ours_of(scene_, options_.render, RealType::float64);
+    const double error = compare(in_double, ours, options_.tolerance).judged_error;
+    add_message(result_, "rendered with --real float: float32 alone differs from double by up to " +
+                             number(error) + " here; try --real double");
+  }
+
   void compare_term(TermResult& result) const {
     const TermScene reduced = only(result.term, scene_, options_.render);
     const ReferencePicture reference = picture_of(reduced.scene, reduced.options);
-    const Image ours = ours_of(reduced.scene, reduced.options);
+    const Image ours = ours_of(reduced.scene, reduced.options, options_.real);
     result.comparison = compare(reference.image, ours, options_.tolerance);
     if (result.comparison->pixels_over > 0) {
       result.unexplained =
@@ -131,12 +148,12 @@ class SceneVerifier {
                             options_.time_limit_seconds});
   }
 
-  Image ours_of(const Scene& scene, const RenderOptions& render) const {
+  Image ours_of(const Scene& scene, const RenderOptions& render, RealType real) const {
     RenderJob job;
     job.width = result_.width;
     job.height = result_.height;
     job.options = render;
-    job.real = options_.real;
+    job.real = real;
     job.threads = threads_;
     if (options_.render_ours) return options_.render_ours(scene, camera_, job);
     return references::render(options_.renderer, scene, camera_, job);
@@ -210,6 +227,7 @@ int VerifyReport::exit_code() const {
 
 void judge(const AttributionJob& job, SceneResult& result) {
   result.comparison = compare(job.reference, job.test, job.tolerance);
+  result.not_compared.clear();
   const auto view = [](const Image& i) { return PictureView{i.width, i.height, 3, i.rgb.data()}; };
   result.metrics = cheap_metrics(view(job.reference), view(job.test));
   if (result.comparison.pixels_over > 0) result.budget = attribute(job);
@@ -263,6 +281,7 @@ VerifyReport verify(const std::vector<std::string>& scenes, const VerifyOptions&
   work();
   helpers.clear();
   if (failure) std::rethrow_exception(failure);
+  report.complaint = source.complaint();
   return report;
 }
 

@@ -65,23 +65,26 @@ struct SceneResult {
   std::string message;
   int width = 0;
   int height = 0;
+  std::string not_compared = "nothing was compared";  ///< why there are no figures; empty when there are
   Comparison comparison;
   Metrics metrics;  ///< the cheap ones
   Budget budget;
   std::vector<TermResult> terms;  ///< all, when they were asked for
   double seconds_ours = 0;        ///< of CPU time
   double seconds_reference = 0;   ///< of CPU time, when it was rendered
-  bool cached = false;
+  bool cached = false;            ///< or stored: the reference was not rendered now
+  bool stored = false;
   std::shared_ptr<const Pictures> pictures;  ///< when they are kept, and it was rendered
 };
 
-/// Compares the pictures, attributes every pixel over, and sets comparison, metrics, budget and status; the
+/// Compares the pictures, attributes every pixel over, and sets the figures and the status; the
 /// budget in words goes to the message. Width and height are set already.
 void judge(const AttributionJob& job, SceneResult& result);
 
 struct VerifyReport {
   std::string reference_version;
   std::string notice;               ///< to be said loudly: stored images are used because ...
+  std::string complaint;            ///< to be said: the cache cannot be written; figures and verdicts stand
   std::vector<SceneResult> scenes;  ///< in the order asked for
 
   /// 0 all agree, 1 some differ, 2 trouble.

@@ -104,6 +104,7 @@ int run_compare(const Options& options) {
     const Json json = json_of(options, test, findings);
     write_compare_report(options.report, {options.reference, std::move(reference)},
                          {options.test, std::move(test)}, options.tolerance, json);
+    if (options.json != "-") say_report(options.report);
   }
   return c.agrees() ? exit_agrees : exit_differs;
 }

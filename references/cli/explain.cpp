@@ -40,6 +40,7 @@ ReferencePixel reference_pixel(const Options& options, const Scene& scene, const
     references::PovrayJob job{exported.text, view.size.width, view.size.height, exported.needs_flat_objects};
     if (is_cut) job.time_limit_seconds = time_limit_when_cut_seconds;
     const Image image = source.picture(job).image;
+    if (const std::string complaint = source.complaint(); !complaint.empty()) warn(complaint);
     const float* const p = image.pixel(options.x, options.y);
     return {Rgbd(p[0], p[1], p[2]), "POV-Ray " + source.version()};
   } catch (const std::runtime_error& error) {

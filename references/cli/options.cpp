@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <stdexcept>
 
 #include "references/approve.hpp"
@@ -146,6 +147,11 @@ CLI::Option* add_report(CLI::App& app, std::string& directory) {
       .add_option("--report", directory,
                   "write a report with all pictures to DIR/index.html, one page that needs no network")
       ->type_name("DIR");
+}
+
+void say_report(const std::string& directory) {
+  if (directory.empty()) return;
+  std::printf("report: %s\n", (std::filesystem::path(directory) / "index.html").c_str());
 }
 
 void flush_output() {

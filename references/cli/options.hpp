@@ -51,6 +51,8 @@ std::string picture_arguments(const SceneOptions& options);
 
 /// --report DIR
 CLI::Option* add_report(CLI::App& app, std::string& directory);
+/// Prints where the report was written; nothing when none was asked for.
+void say_report(const std::string& directory);
 
 /// --tolerance, finite and >= 0.
 void add_tolerance(CLI::App& app, double& tolerance);

@@ -152,6 +152,7 @@ int check(const Options& options) {
     std::printf("%zu scene%s against %s: %td agree, %td differ, %td in trouble\n", scenes.size(),
                 scenes.size() == 1 ? "" : "s", references::baselines_of(options.directory).c_str(),
                 count(scenes, Status::agree), differ, trouble);
+    say_report(options.report);
   }
   if (trouble > 0) return exit_trouble;
   return differ > 0 ? exit_differs : exit_agrees;

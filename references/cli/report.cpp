@@ -160,14 +160,15 @@ std::string table_row(const SceneResult& r, std::size_t width) {
   const std::string name =
       r.scene.size() <= width ? r.scene : std::filesystem::path(r.scene).filename().string();
   std::string row = formatted("%-*s ", static_cast<int>(width), name.c_str());
-  if (r.status == Status::error) {
-    row += formatted("%10s %10s %8s %7s  ", "-", "-", "-", "-");
+  const bool is_trouble = r.status == Status::error;
+  const std::string size = is_trouble ? "-" : std::to_string(r.width) + "x" + std::to_string(r.height);
+  if (is_trouble || !r.not_compared.empty()) {
+    row += formatted("%10s %10s %8s %7s  ", size.c_str(), "-", "-", "-");
   } else {
-    const std::string size = std::to_string(r.width) + "x" + std::to_string(r.height);
     row += formatted("%10s %10.2g %8zu %7zu  ", size.c_str(), r.comparison.judged_error,
                      r.comparison.pixels_over, r.budget.count(references::Cause::unexplained));
   }
-  row += std::string(to_string(r.status)) + (r.cached ? " (cached)" : "");
+  row += std::string(to_string(r.status)) + (r.stored ? " (stored)" : r.cached ? " (cached)" : "");
   if (!r.terms.empty()) row += "\n      largest error of each term:" + terms_text(r.terms);
   if (!r.message.empty()) row += "\n      " + indented(r.message);
   return row;

@@ -22,6 +22,18 @@ std::vector<PixelNote> notes_of(const SceneResult& result) {
   return notes;
 }
 
+/// The scene's object of --json; what was not compared has no figures.
+Json shown_result(const SceneResult& result, double tolerance) {
+  Json json = scene_json(result);
+  json["tolerance"] = tolerance;
+  if (result.not_compared.empty()) return json;
+  const Json figures = to_json(result.comparison);
+  for (const auto& [figure, value] : figures.items()) json.erase(figure);
+  for (const char* const key : {"metrics", "budget", "unexamined", "shapes"}) json.erase(key);
+  json["not_compared"] = result.not_compared;
+  return json;
+}
+
 }  // namespace
 
 SceneReport::SceneReport(const std::string& directory, const std::string& title, double tolerance)
@@ -35,8 +47,7 @@ void SceneReport::add(const SceneResult& result, const std::string& options,
   if (!writer_) return;
   references::ReportEntry entry;
   entry.name = result.scene;
-  entry.result = scene_json(result);
-  entry.result["tolerance"] = tolerance_;
+  entry.result = shown_result(result, tolerance_);
   entry.approve_command = approve_command;
   if (result.pictures) {
     entry.reference = result.pictures->reference;

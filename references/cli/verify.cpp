@@ -56,9 +56,13 @@ int run_verify(const Options& options) {
     progress.show(static_cast<double>(++done) / static_cast<double>(options.scenes.size()));
   });
   progress.clear();
+  if (!report.complaint.empty()) warn(report.complaint);
   if (!options.json.empty()) write_json(options.json, to_json(report));
   page.finish();
-  if (table) std::printf("%s\n", outcome(report).c_str());
+  if (table) {
+    std::printf("%s\n", outcome(report).c_str());
+    say_report(options.report);
+  }
   return report.exit_code();
 }
 

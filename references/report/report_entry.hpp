@@ -20,8 +20,9 @@ struct PixelNote {
 };
 
 struct ReportEntry {
-  std::string name;                              ///< path of the scene, or the names of the two pictures
-  nlohmann::ordered_json result;                 ///< the scene's object of --json; any key may be absent
+  std::string name;  ///< path of the scene, or the names of the two pictures
+  /// The scene's object of --json; any key may be absent. "not_compared" says why there are no figures.
+  nlohmann::ordered_json result;
   std::shared_ptr<const Image> reference, test;  ///< of one size; both null for a scene in trouble
   std::vector<PixelNote> notes;                  ///< pixels over the tolerance
   std::optional<double> tolerance;  ///< marks every pixel over it "over"; for pictures without notes

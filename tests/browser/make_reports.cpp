@@ -1,4 +1,4 @@
-// Writes the reports that the browser tests look at. Usage: make_reports DIRECTORY one|few|many|beside
+// Writes the reports that the browser tests look at. Usage: make_reports DIRECTORY one|few|many|beside|new
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -67,6 +67,19 @@ ReportEntry known_values() {
   return entry;
 }
 
+/// As plumb regress reports a scene that nobody approved an image of.
+ReportEntry never_approved() {
+  ReportEntry entry;
+  entry.name = "scenes/new.sdf";
+  entry.result = {{"status", "differ"},
+                  {"message", "new: there is no baseline yet"},
+                  {"seconds", {{"ours", 0.25}, {"reference", 0}}},
+                  {"not_compared", "there is nothing to compare with: no image was approved yet"},
+                  {"tolerance", 1e-6}};
+  entry.approve_command = "plumb regress scenes --update scenes/new.sdf --because 'WHY'";
+  return entry;
+}
+
 void add_few(ReportWriter& writer) {
   writer.add(red_and_green());
   writer.add(known_values());
@@ -101,7 +114,7 @@ void add_many(ReportWriter& writer) {
 
 int main(int argc, char** argv) {
   if (argc != 3) {
-    std::fputs("Usage: make_reports DIRECTORY one|few|many|beside\n", stderr);
+    std::fputs("Usage: make_reports DIRECTORY one|few|many|beside|new\n", stderr);
     return 2;
   }
   const std::string kind = argv[2];
@@ -109,6 +122,9 @@ int main(int argc, char** argv) {
   ReportWriter writer(argv[1], "Report <i>of</i> tests", "against nothing & nobody", most_inline);
   if (kind == "one") {
     writer.add(red_and_green());
+  } else if (kind == "new") {
+    writer.add(never_approved());
+    writer.add(red_and_green());  // a report of one scene has no overview
   } else if (kind == "many") {
     add_many(writer);
   } else {

@@ -82,6 +82,29 @@ class Overview(ReportTest):
         self.wait(lambda: len(self.names()) == 4)
 
 
+class NewScene(ReportTest):
+    """One that there is no baseline of: no figure is made up for it."""
+    kind = "new"
+
+    def test_the_overview_has_no_figures(self):
+        row = next(each for each in self.all(".scenes tbody tr") if "scenes/new.sdf" in each.text)
+        cells = {cell.get_attribute("data-title"): cell.text
+                 for cell in row.find_elements("css selector", "td[data-title]")}
+        self.assertEqual("0.25 s", cells.pop("CPU"))
+        self.assertIn("differs", cells.pop("Result"))
+        self.assertEqual({"–"}, set(cells.values()), cells)
+
+    def test_the_scene_says_that_there_is_nothing_to_compare_with(self):
+        next(each for each in self.all(".scenes tbody a") if each.text == "scenes/new.sdf").click()
+        self.wait(lambda: self.all(".notice"))
+        said = "here is nothing to compare with: no image was approved yet."
+        self.assertIn(said, self.text(".notice"))
+        self.assertIn("T" + said, self.text(".side [aria-label='Pixel budget']"))
+        self.assertNotIn("No pixel is over", self.text("#app"))
+        self.assertNotIn("error", self.text(".side [aria-label=Figures]"))
+        self.assertIn("--update scenes/new.sdf", self.text(".side"))
+
+
 class ManyScenes(ReportTest):
     kind = "many"
 

@@ -349,6 +349,19 @@ TEST_P(Named, AndFailsTheComparison) {
   EXPECT_TRUE(contains(outcome.out, "(then 0 pixels over")) << outcome.out;
 }
 
+TEST_F(Compare, SixteenBitFilesOfAFloatPictureAreNamed) {
+  const std::string tool = references::find_program("oiiotool");
+  if (tool.empty()) GTEST_SKIP() << "oiiotool (openimageio-tools) is not installed";
+  file("a.pfm", pfm(wide, high, colourful()));
+  for (const std::string name : {"a.png", "a.tif"}) {
+    run_shell("'" + tool + "' a.pfm -d uint16 -o " + name, workplace_.directory());
+    const Json json = compare_json("a.pfm", name);
+    ASSERT_TRUE(json.contains("likely_cause")) << name;
+    EXPECT_EQ(json.at("likely_cause").at("name"), "rounded_to_16_bits") << name;
+    EXPECT_TRUE(contains(compare("a.pfm", name).out, "rounded to 16 bits (then 0 pixels over")) << name;
+  }
+}
+
 TEST_F(Compare, MostOfTheErrorGoneIsSaidWithWhatIsLeft) {
   const std::vector<float> reference = colourful();
   std::vector<float> test;
@@ -420,6 +433,32 @@ TEST_F(Compare, AlphaIsNamed) {
             workplace_.directory());
   expect_trouble(compare("rgb.png", "rgba.png"), {"rgba.png", "4 channels", "the test picture has an alpha"});
   expect_trouble(compare("rgba.png", "rgb.png"), {"rgb.png", "3 channels", "the reference has an alpha"});
+}
+
+class EmptyFile : public Compare, public testing::WithParamInterface<Word> {};
+INSTANTIATE_TEST_SUITE_P(Of, EmptyFile,
+                         testing::Values(Word{"pfm"}, Word{"ppm"}, Word{"exr"}, Word{"png"}, Word{"tif"},
+                                         Word{"jpg"}),
+                         [](const auto& test) { return std::string(test.param.text); });
+
+TEST_P(EmptyFile, IsNamedAndSoIsWhatWasExpected) {
+  const std::string kind = GetParam().text, name = "empty." + kind;
+  std::string upper = kind;
+  std::transform(kind.begin(), kind.end(), upper.begin(),
+                 [](char c) { return static_cast<char>(c - 'a' + 'A'); });
+  file("a.pfm", pfm(1, 1, {0, 0, 0}));
+  file(name, "");
+  const Outcome outcome = compare("a.pfm", name);
+  expect_trouble(outcome,
+                 {name + ": cannot be read: the file is empty (0 bytes), expected an image (" + upper + ")"});
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  expect_trouble(compare(name, "a.pfm"), {name, "is empty"});
+}
+
+TEST_F(Compare, AnEmptyFileOfNoKindIsNamedToo) {
+  file("empty", "");
+  expect_trouble(compare("empty", "empty"),
+                 {"empty: cannot be read: the file is empty (0 bytes), expected an image"});
 }
 
 // --- metrics ----------------------------------------------------------------------------------------
@@ -520,8 +559,8 @@ INSTANTIATE_TEST_SUITE_P(Is, NoImage,
                              {"TextAsNothing", "text", "hello\n", "text"},
                              {"EmptyPng", "empty.png", "", "empty.png"},
                              {"EmptyExr", "empty.exr", "", "empty.exr"},
-                             {"EmptyPpm", "empty.ppm", "", "truncated"},
-                             {"EmptyPfm", "empty.pfm", "", "truncated"},
+                             {"EmptyPpm", "empty.ppm", "", "is empty"},
+                             {"EmptyPfm", "empty.pfm", "", "is empty"},
                              {"PfmWithoutPixels", "cut.pfm", "PF\n2 1\n-1\n", "truncated"},
                              {"PfmCutByAByte", "cut.pfm", pfm(2, 1, std::vector<float>(6, 0)).substr(0, 34),
                               "truncated"},

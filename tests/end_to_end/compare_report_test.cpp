@@ -30,6 +30,7 @@ TEST_F(CompareReport, SaysWhatTheCommandSays) {
   const Outcome outcome = compare("a.ppm", "b.ppm", "new/folder");
   EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
   EXPECT_EQ(outcome.err, "");
+  EXPECT_TRUE(outcome.out.ends_with("differ\nreport: new/folder/index.html\n")) << outcome.out;
   const Json found = scene("new/folder");
   EXPECT_EQ(found.at("name"), "b.ppm");
   EXPECT_EQ(found.at("width"), 2);
@@ -39,6 +40,14 @@ TEST_F(CompareReport, SaysWhatTheCommandSays) {
   EXPECT_EQ(found.at("causes"), Json::array({"over"}));
   EXPECT_EQ(compare("a.ppm", "a.ppm", "same").exit_code, 0);
   EXPECT_EQ(scene("same").at("causes"), Json::array());
+}
+
+TEST_F(CompareReport, ThePlaceIsNotSaidAmongJson) {
+  workplace_.file("a.ppm", "P3 1 1 255 0 0 0\n");
+  const Outcome outcome =
+      run_plumb({"compare", "a.ppm", "a.ppm", "--report", "out/", "--json", "-"}, workplace_.directory());
+  EXPECT_TRUE(Json::accept(outcome.out)) << outcome.out;
+  EXPECT_TRUE(contains(compare("a.ppm", "a.ppm", "out/").out, "\nreport: out/index.html\n"));
 }
 
 TEST_F(CompareReport, GreyIsShownAndSaid) {

@@ -70,6 +70,20 @@ TEST_F(Regress, ADifferenceNamesTheWorstPixelBothValuesAndWhoApproved) {
     EXPECT_TRUE(contains(outcome.out, part)) << part << " is missing in\n" << outcome.out;
 }
 
+TEST_F(Regress, WhoApprovedFollowsTheDifferenceAndNotesOfAttributionAreLast) {
+  const std::vector<std::string> large{"--size", "160x120"};  // more pixels over than are examined
+  ASSERT_EQ(regress({"--update", "ball", "--because", "x", large[0], large[1]}).exit_code, 0);
+  workplace_.file("scenes/ball.sdf", moved_ball());
+  const std::string message = scene_json(large).at("message");
+  std::vector<std::size_t> places;
+  for (const char* const part : {" pixels are over; worst pixel ", "\nbaseline approved by ",
+                                 "\nthe scene file has changed since\n", "not examined"}) {
+    EXPECT_TRUE(contains(message, part)) << part << " is missing in\n" << message;
+    places.push_back(message.find(part));
+  }
+  EXPECT_TRUE(std::is_sorted(places.begin(), places.end())) << message;
+}
+
 /// A change of one float's last bits is far below 1e-6; a change of 2e-6 is not.
 TEST_F(Regress, TheToleranceDecides) {
   approve("ball");
@@ -383,6 +397,57 @@ TEST_F(Regress, ANameThatIsNoUtf8IsRefused) {
   expect_trouble(regress({"--update", "b\xE4ll", "--because", "x"}), {"UTF-8"});
   EXPECT_TRUE(Json::accept(regress({"--json", "-"}).out));
   EXPECT_FALSE(std::filesystem::exists(workplace_.path("scenes/baselines/baselines.json")));
+}
+
+// --- the report -----------------------------------------------------------------------------------
+
+class RegressReport : public Regress {
+ protected:
+  /// The first scene of the page.
+  Json shown(std::vector<std::string> arguments = {}) const {
+    arguments.insert(arguments.end(), {"--report", "out"});
+    regress(arguments);
+    const std::string page = read_file(workplace_.path("out/index.html"));
+    const std::string open = "id=\"report-data\">";
+    const std::size_t begin = page.find(open) + open.size();
+    return Json::parse(page.substr(begin, page.find("</script>", begin) - begin)).at("scenes").at(0);
+  }
+};
+
+TEST_F(RegressReport, ItsPlaceIsSaid) {
+  EXPECT_TRUE(contains(regress({"--report", "out"}).out, "\nreport: out/index.html\n"));
+  EXPECT_TRUE(Json::accept(regress({"--report", "out", "--json", "-"}).out)) << "JSON is alone";
+  EXPECT_TRUE(regress({"--report", "out", "--junit", "-"}).out.ends_with("</testsuites>\n"));
+}
+
+TEST_F(RegressReport, ASceneWithoutABaselineHasNoFigures) {
+  const Json result = shown().at("result");
+  EXPECT_EQ(result.at("status"), "differ");
+  EXPECT_TRUE(contains(result.at("not_compared"), "there is nothing to compare with")) << result;
+  for (const char* const figure : {"max_error", "judged_error", "mean_error", "rms_error", "pixels_over",
+                                   "non_finite", "worst", "budget", "metrics"})
+    EXPECT_FALSE(result.contains(figure)) << figure;
+}
+
+TEST_F(RegressReport, NorHasOneOfAnotherSizeOrInTrouble) {
+  approve("ball");
+  EXPECT_TRUE(contains(shown({"--size", "16x12"}).at("result").at("not_compared"), "sizes"));
+  workplace_.file("scenes/ball.sdf", "nonsense\n");
+  const Json result = shown().at("result");
+  EXPECT_EQ(result.at("not_compared"), "nothing was compared");
+  EXPECT_FALSE(result.contains("max_error"));
+}
+
+TEST_F(RegressReport, AComparedSceneHasFigures) {
+  approve("ball");
+  const Json result = shown().at("result");
+  EXPECT_FALSE(result.contains("not_compared"));
+  EXPECT_EQ(result.at("max_error"), 0);
+  EXPECT_EQ(result.at("pixels_over"), 0);
+}
+
+TEST_F(RegressReport, NeitherHasTheTable) {
+  EXPECT_TRUE(contains(regress({}).out, " 32x24          -        -       -  differ\n")) << regress({}).out;
 }
 
 // --- JSON and JUnit -------------------------------------------------------------------------------

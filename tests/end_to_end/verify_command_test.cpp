@@ -201,6 +201,24 @@ TEST_F(Verify, ToleranceZeroDiffersWithExitCode1) {
   EXPECT_TRUE(contains(outcome.out, "0 agree, 1 differ, 0 in trouble")) << outcome.out;
 }
 
+/// The figure is that of float against double, which no other difference gets into.
+TEST_F(Verify, FloatIsNamedWhereItDiffers) {
+  const std::string by_float = "rendered with --real float: float32 alone differs from double by up to ";
+  const Outcome differs = verify({"ball.sdf", "--real", "float", "--tolerance", "1e-7"});
+  EXPECT_EQ(differs.exit_code, 1) << differs.out;
+  EXPECT_TRUE(contains(differs.out, by_float)) << differs.out;
+  EXPECT_TRUE(contains(differs.out, "; try --real double")) << differs.out;
+  const std::string figure = differs.out.substr(differs.out.find(by_float) + by_float.size());
+  EXPECT_GT(std::stod(figure), 1e-7) << differs.out;
+  EXPECT_LT(std::stod(figure), 1e-5) << differs.out;
+  const Outcome agrees = verify({"ball.sdf", "--real", "float", "--tolerance", "0.1"});
+  EXPECT_EQ(agrees.exit_code, 0) << agrees.out;
+  EXPECT_FALSE(contains(agrees.out, "--real")) << agrees.out;
+  const Outcome of_double = verify({"ball.sdf", "--tolerance", "0"});
+  EXPECT_EQ(of_double.exit_code, 1) << of_double.out;
+  EXPECT_FALSE(contains(of_double.out, "--real")) << of_double.out;
+}
+
 /// Rounding is no tie: a lone sphere coincides with nothing, however small the tolerance.
 TEST_F(Verify, ALoneSphereHasNoTies) {
   for (const char* const tolerance : {"0", "1e-9", "1e-8"}) {
@@ -359,8 +377,24 @@ TEST_P(DamagedCache, IsNoticedAndRenderedAgain) {
 }
 
 TEST_F(Verify, ACacheThatCannotBeWrittenIsNoTrouble) {
-  const Outcome outcome = verify({"ball.sdf"}, {"PLUMB_CACHE=/proc/nowhere"});
+  workplace_.file("second.sdf", replaced(ball_scene, "-3 1 red", "-4 1 red"));
+  const std::vector<std::string> scenes{"ball.sdf", "second.sdf"};
+  const Outcome outcome = verify(scenes, {"PLUMB_CACHE=/proc/nowhere"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  EXPECT_TRUE(contains(outcome.out, "2 agree")) << outcome.out;
+  EXPECT_TRUE(outcome.err.starts_with("warning: /proc/nowhere: cannot be written: ")) << outcome.err;
+  for (const char* const part : {"renders them again", "PLUMB_CACHE"})
+    EXPECT_TRUE(contains(outcome.err, part)) << outcome.err;
+  EXPECT_EQ(lines_in(outcome.err), 1U) << "once, whatever the number of scenes: " << outcome.err;
+}
+
+TEST_F(Verify, ACacheUnderAFileIsToldBesideTheJson) {
+  workplace_.file("plain", "");
+  const Outcome outcome =
+      verify({"ball.sdf", "--json", "-"}, {"PLUMB_CACHE=" + workplace_.path("plain") + "/cache"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_TRUE(Json::accept(outcome.out)) << outcome.out;
+  EXPECT_TRUE(contains(outcome.err, "plain/cache: cannot be written: Not a directory")) << outcome.err;
 }
 
 // --- stored images --------------------------------------------------------------------------------
@@ -390,8 +424,11 @@ TEST_F(StoredImages, AreComparedWithoutPovRay) {
   const Outcome outcome = verify({"ball.sdf", "--stored"}, {references(), path});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
   EXPECT_TRUE(contains(outcome.out, "1 agree")) << outcome.out;
+  EXPECT_TRUE(contains(outcome.out, " agree (stored)\n")) << outcome.out;
   EXPECT_TRUE(contains(outcome.err, "NO POV-RAY IS RUN")) << outcome.err;
   EXPECT_EQ(starts_of_povray(), 0U);
+  const Json scene = verify_json({"ball.sdf", "--stored"}, {references(), path}).at("scenes").at(0);
+  EXPECT_EQ(scene.at("cached"), true) << "was not rendered now";
 }
 
 TEST_F(StoredImages, AreTheFallBackWithoutPovRaySaidLoudly) {
@@ -416,6 +453,8 @@ TEST_F(Verify, TheReportIsOnePageWithEveryScene) {
   const std::string page = read_file(workplace_.path("out/report/index.html"));
   for (const char* const part : {"ball.sdf", "broken.sdf", "plumb explain --size 16x12", "agree"})
     EXPECT_TRUE(contains(page, part)) << part;
+  EXPECT_TRUE(contains(outcome.out, "\nreport: out/report/index.html\n")) << outcome.out;
+  EXPECT_TRUE(Json::accept(verify({"ball.sdf", "--report", "out", "--json", "-"}).out)) << "JSON is alone";
   EXPECT_EQ(verify({"ball.sdf", "--report", "ball.sdf"}).exit_code, 2) << "no directory can be made there";
 }
 

@@ -22,6 +22,17 @@ void expect_file(const std::string& path) {
     throw std::runtime_error(path + ": is a directory, expected an image");
 }
 
+/// Of a regular file: what a pipe will hold is not known yet.
+void expect_bytes(const std::string& path, std::string kind) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error) || std::filesystem::file_size(path, error) != 0) return;
+  std::transform(kind.begin(), kind.end(), kind.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  throw std::runtime_error(path + ": cannot be read: the file is empty (0 bytes), expected an image" +
+                           (kind.empty() ? "" : " (" + kind.substr(1) + ")") +
+                           "; did the program that wrote it come to its end?");
+}
+
 ImageFile read_through_oiio(const std::string& path) {
   ImageFile file;
   const auto read = reinterpret_cast<oiio::Read>(module_symbol(oiio::module_name, oiio::read_symbol));
@@ -48,6 +59,7 @@ void write_image(const std::string& path, const Image& image, Encoding encoding)
 
 PixelRows open_image(const std::string& path) {
   const std::string extension = extension_of(path);
+  expect_bytes(path, extension);
   if (extension == ".pfm") {
     const auto file = std::make_shared<const MappedFile>(path);
     return pfm_rows(file->bytes(), path, file);

@@ -17,7 +17,12 @@ function panel(title, ...children) {
   return element("section", {class: "panel", "aria-label": title}, element("h2", {}, title), ...children);
 }
 
-function budget_of({budget}) {
+const sentence = (text) => `${text[0].toUpperCase()}${text.slice(1)}.`;
+
+const no_pictures = ({not_compared: why}) => `There are no pictures of this scene${why ? `: ${why}` : ""}.`;
+
+function budget_of({budget, not_compared: why}) {
+  if (why) return [element("p", {class: "hint"}, sentence(why))];
   if (parts(budget).length === 0) return [element("p", {class: "hint"}, "No pixel is over the tolerance.")];
   return [bar(budget), legend(budget)];
 }
@@ -51,7 +56,7 @@ export class SceneView {
     this.update_head();
     this.side.replaceChildren(...this.panels());
     this.toolbar.update();
-    if (!scene.picture) return this.say("There are no pictures of this scene.");
+    if (!scene.picture) return this.say(no_pictures(scene.result));
     if (!this.left.contains(this.stage.node)) this.say("Reading the pictures …");
     try {
       const picture = await picture_of(scene);
@@ -96,7 +101,7 @@ export class SceneView {
       result.message ? panel("Message", element("pre", {tabindex: "0"}, result.message)) : null,
       scene.picture ? panel("Pixel", this.readout) : null,
       scene.picture ? panel("Explanation", this.explanation) : null,
-      result.budget ? panel("Pixel budget", ...budget_of(result)) : null,
+      result.budget || result.not_compared ? panel("Pixel budget", ...budget_of(result)) : null,
       result.terms ? panel("Term by term", terms(result)) : null,
       panel("Figures", figures(scene)),
       result.metrics ? panel("Metrics", metrics(result)) : null,
