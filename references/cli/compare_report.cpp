@@ -11,7 +11,8 @@ namespace {
 
 /// r g b; grey thrice for one or two channels, and what follows the colours dropped.
 /// The rows are given back: large files are not held twice.
-std::shared_ptr<const Image> shown(PixelRows rows) {
+std::shared_ptr<const Image> shown(PixelRows&& given) {
+  const PixelRows rows(std::move(given));
   auto image = std::make_shared<Image>(rows.width, rows.height);
   const auto channels = static_cast<std::size_t>(rows.channels), width = static_cast<std::size_t>(rows.width);
   std::vector<float> row(rows.row_values());
