@@ -1,5 +1,7 @@
 #include "tracer/image/io.hpp"
 
+#include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <stdexcept>
 
