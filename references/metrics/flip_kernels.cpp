@@ -197,10 +197,11 @@ HWY_INLINE V error(const Seen& r, const Seen& t) {
 void raise_errors_target(const Opponent& reference, const Opponent& test, std::size_t first, std::size_t last,
                          float* errors) {
   const std::size_t length_of_row = margin + reference.width + 2 * padding;
-  std::vector<float> scratch(2 * filtered_count * length_of_row + reference.width + padding);
-  float* rows[2 * filtered_count];
-  for (std::size_t i = 0; i < 2 * filtered_count; ++i) rows[i] = scratch.data() + i * length_of_row;
-  float* const row = scratch.data() + 2 * filtered_count * length_of_row;
+  constexpr std::size_t count = 2 * std::size_t{filtered_count};
+  std::vector<float> scratch(count * length_of_row + reference.width + padding);
+  float* rows[count];
+  for (std::size_t i = 0; i < count; ++i) rows[i] = scratch.data() + i * length_of_row;
+  float* const row = scratch.data() + count * length_of_row;
   for (std::size_t y = first; y < last; ++y) {
     all_down_columns(reference, y, rows);
     all_down_columns(test, y, rows + filtered_count);

@@ -14,8 +14,9 @@ std::array<double, window> weights() {
   constexpr double sigma = 1.5;
   std::array<double, window> w{};
   double sum = 0;
+  constexpr int middle = window / 2;
   for (int i = 0; i < window; ++i) {
-    const double d = i - window / 2;
+    const double d = i - middle;
     w[static_cast<std::size_t>(i)] = std::exp(-d * d / (2 * sigma * sigma));
     sum += w[static_cast<std::size_t>(i)];
   }
