@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <ranges>
 #include <unordered_map>
 
 #include "tracer/scene/hierarchy.hpp"
@@ -172,7 +171,8 @@ std::vector<ShapeId> shapes_that_may_overflow(const Scene& scene) {
   };
   for (const ShapeId root : scene.roots()) enter(root, {Size{}, Size{}});
   const std::vector<ShapeId> order = order_of_composites(scene).children_first;
-  for (const ShapeId id : std::ranges::reverse_view(order)) {
+  for (std::size_t i = order.size(); i-- > 0;) {
+    const ShapeId id = order[i];
     const Reach here = placed(scene.shapes[id], reach[id]);
     for (const ShapeId child : children_of(scene.shapes[id])) enter(child, here);
   }
