@@ -50,6 +50,11 @@ std::vector<Tile> tiles_of(int width, int first_row, int end_row, const Settings
   return tiles;
 }
 
+std::size_t tiles_in(const RenderJob& job, const Settings& settings) {
+  const auto parts = [](int of, int size) { return static_cast<std::size_t>((of + size - 1) / size); };
+  return parts(job.width, settings.tile_width) * parts(job.height, settings.tile_height);
+}
+
 /// Reports the share that is done, from one thread at a time.
 class Progress {
  public:
@@ -98,7 +103,7 @@ class BandRenderer {
       : view_(view),
         settings_(settings),
         renderers_([&scene, &view, &settings] { return make_tile_renderer(scene, view, settings.vectors); }),
-        progress_(job.progress, tiles_of(job.width, 0, job.height, settings).size()) {}
+        progress_(job.progress, tiles_in(job, settings)) {}
 
   Image rendered(int first_row, int rows) {
     Image band(view_.width, rows);

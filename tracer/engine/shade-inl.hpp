@@ -91,16 +91,17 @@ class Shader final : public TileRenderer<Real> {
     std::fill_n(level.depth.begin(), size, std::uint16_t{0});
     std::fill_n(level.unbent.begin(), size, std::uint16_t{0});
     std::fill_n(level.interior.begin(), size, around_the_eye_);
-    // In units of the plane's width: x - 1/2, and (1/2 - y) * height / width, from the corner of the tile.
-    const Real pixel = 1 / static_cast<Real>(view_.width);
-    const Real left = (static_cast<Real>(tile.x) + static_cast<Real>(sample.x)) * pixel - Real(0.5);
-    const Real top =
-        (static_cast<Real>(view_.height) / 2 - static_cast<Real>(tile.y) - static_cast<Real>(sample.y)) *
-        pixel;
+    // In units of the plane's width: x - 1/2, and (1/2 - y) * height / width. The whole numbers are added
+    // first, exactly: so a ray does not depend on the tile that its pixel is in.
+    const V<Real> pixel = set(1 / static_cast<Real>(view_.width));
+    const V<Real> left = set(static_cast<Real>(tile.x)), above = set(static_cast<Real>(tile.y));
+    const V<Real> in_x = set(static_cast<Real>(sample.x)), in_y = set(static_cast<Real>(sample.y));
+    const V<Real> middle = set(static_cast<Real>(view_.height) / 2);
     const V3<Real> eye = set3(view_.eye), forward = set3(view_.forward);
     for (std::size_t i = 0; i < size; i += lanes<Real>()) {
-      const V<Real> x = hn::Add(set(left), hn::Mul(load(&pixel_x_[i]), set(pixel)));
-      const V<Real> y = hn::Sub(set(top), hn::Mul(load(&pixel_y_[i]), set(pixel)));
+      const V<Real> x =
+          hn::Sub(hn::Mul(hn::Add(hn::Add(left, load(&pixel_x_[i])), in_x), pixel), set(Real(0.5)));
+      const V<Real> y = hn::Mul(hn::Sub(hn::Sub(middle, hn::Add(above, load(&pixel_y_[i]))), in_y), pixel);
       const V3<Real> across = scaled<Real>(set3(view_.right), x), along = scaled<Real>(set3(view_.up), y);
       store_ray(level.rays, i, eye, normalised<Real>(add<Real>(add<Real>(across, along), forward)));
       hn::StoreU(hn::Zero(WordTag<Real>()), WordTag<Real>(), &level.rays.start[i]);
