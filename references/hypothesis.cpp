@@ -63,6 +63,7 @@ void add_integers(std::vector<Hypothesis>& list, const Integers& file, const std
                   .least = -0.5 * step - noise,
                   .most = 0.5 * step + noise,
                   .is_level = is_level,
+                  .bits = file.bits,
                   .because = "half a step of " + bits + " bits is 1/" + std::to_string(2 * file.most)});
   list.push_back({.name = name + "truncated_to_" + bits + "_bits",
                   .text = text + "truncated to " + bits + " bits",
@@ -70,6 +71,7 @@ void add_integers(std::vector<Hypothesis>& list, const Integers& file, const std
                   .least = -step - noise,
                   .most = noise,
                   .is_level = is_level,
+                  .bits = file.bits,
                   .because = "a step of " + bits + " bits is 1/" + std::to_string(file.most) +
                              ", and truncation only darkens"});
 }

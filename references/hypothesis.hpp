@@ -23,6 +23,7 @@ struct Hypothesis {
   double least = 0;
   double most = 0;
   std::function<bool(float)> is_level = {};  // what every value of the test picture must be
+  int bits = 0;                              // of the whole numbers, when those are meant
   std::string because = {};
 };
 

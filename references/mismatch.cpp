@@ -199,6 +199,11 @@ class Trial {
   std::vector<double> expected_;
 };
 
+/// Whole numbers of so many bits were not made such numbers; those of 8 bits, nothing else either.
+bool is_of_integers(const PixelRows& rows, int bits) {
+  return rows.is_bytes || (bits == 16 && rows.sample == Sample::bits16);
+}
+
 }  // namespace
 
 std::optional<LikelyCause> likely_cause(const PixelRows& reference, const PixelRows& test, double tolerance,
@@ -211,7 +216,7 @@ std::optional<LikelyCause> likely_cause(const PixelRows& reference, const PixelR
   std::optional<LikelyCause> best;
   Trial trial(reference, test, tolerance);
   for (const Hypothesis& h : hypotheses()) {
-    if (h.is_level && reference.is_bytes) continue;  // integers were neither truncated nor made half floats
+    if (h.is_level && is_of_integers(reference, h.bits)) continue;
     if (comparison.non_finite == 0 && trial.is_refuted(h, share_left * before)) continue;
     const auto rest = trial.rest(h, share_left * before);
     if (!rest) continue;

@@ -91,10 +91,10 @@ class SceneVerifier {
     result_.seconds_ours = cpu_seconds(threads_ > 1) - before;
     const AttributionJob whole = job(scene_, options_.render, reference, ours);
     judge(whole, result_);
-    if (result_.status == Status::differ && options_.real == RealType::float32) blame_float(ours);
     if (!reference.warnings.empty()) add_message(result_, "POV-Ray warns: " + reference.warnings);
     add_message(result_, reservations(ours, warnings));
     if (options_.keeps_pictures) result_.pictures = pictures_of(whole, result_.comparison, result_.budget);
+    if (result_.status == Status::differ && options_.real == RealType::float32) blame_float(ours);
   }
 
   void by_terms() {
@@ -120,10 +120,15 @@ class SceneVerifier {
   /// The figure is measured, against our own picture in double: whether float is all that is wrong shows in
   /// it.
   void blame_float(const Image& ours) {
-    const Image in_double = ours_of(scene_, options_.render, RealType::float64);
-    const double error = compare(in_double, ours, options_.tolerance).judged_error;
-    add_message(result_, "rendered with --real float: float32 alone differs from double by up to " +
-                             number(error) + " here; try --real double");
+    std::string by;
+    try {
+      const Image in_double = ours_of(scene_, options_.render, RealType::float64);
+      const double error = compare(in_double, ours, options_.tolerance).judged_error;
+      by = ": float32 alone differs from double by up to " + number(error) + " here";
+    } catch (const std::runtime_error&) {
+      // The verdict stands without the figure.
+    }
+    add_message(result_, "rendered with --real float" + by + "; try --real double");
   }
 
   void compare_term(TermResult& result) const {
@@ -227,7 +232,6 @@ int VerifyReport::exit_code() const {
 
 void judge(const AttributionJob& job, SceneResult& result) {
   result.comparison = compare(job.reference, job.test, job.tolerance);
-  result.not_compared.clear();
   const auto view = [](const Image& i) { return PictureView{i.width, i.height, 3, i.rgb.data()}; };
   result.metrics = cheap_metrics(view(job.reference), view(job.test));
   if (result.comparison.pixels_over > 0) result.budget = attribute(job);
@@ -236,6 +240,7 @@ void judge(const AttributionJob& job, SceneResult& result) {
   result.status = agrees ? Status::agree : Status::differ;
   add_message(result, verdict(result, broken));
   add_message(result, result.budget.note());
+  result.not_compared.clear();
 }
 
 VerifyReport verify(const std::vector<std::string>& scenes, const VerifyOptions& options,

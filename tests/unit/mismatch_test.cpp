@@ -36,8 +36,8 @@ Curve truncated(double most) {
   return [most](double v) { return std::floor(std::min(v, 1.0) * most) / most; };
 }
 
-std::optional<references::LikelyCause> cause_of(ImageFile test) {
-  const PixelRows r = rows_of(reference_picture()), t = rows_of(std::move(test));
+std::optional<references::LikelyCause> cause_of(ImageFile test, ImageFile reference = reference_picture()) {
+  const PixelRows r = rows_of(std::move(reference)), t = rows_of(std::move(test));
   return references::likely_cause(r, t, tolerance, references::compare(r, t, tolerance));
 }
 
@@ -79,6 +79,19 @@ TEST(LikelyCause, OneValueThatIsNoLevelOrOneStepOffContradictsSixteenBits) {
   ImageFile step_off = changed(rounded(65535));
   step_off.values[100] += 1.0F / 65535;
   EXPECT_EQ(name_of(step_off), "none");
+}
+
+/// A reference of 16 bits was not truncated to 16 bits, however little darker the test picture is.
+TEST(LikelyCause, OneStepBetweenPicturesOfSixteenBitsIsNoTruncation) {
+  ImageFile reference = changed(rounded(65535));
+  reference.sample = Sample::bits16;
+  ImageFile darker = reference;
+  darker.values[100] -= 1.0F / 65535;
+  EXPECT_FALSE(cause_of(darker, reference));
+  reference.sample = Sample::float32;
+  const auto taken_for_floats = cause_of(darker, reference);
+  ASSERT_TRUE(taken_for_floats);
+  EXPECT_EQ(taken_for_floats->name, "truncated_to_16_bits");
 }
 
 }  // namespace
