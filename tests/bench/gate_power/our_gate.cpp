@@ -60,17 +60,19 @@ bool holds_for_all_over(const Subject& s, const Image& given, const Condition& h
   return true;
 }
 
-bool all_are_explained(const Subject& s, const Image& given, references::Precision precision) {
+OurVerdict verdict_with(const Subject& s, const Image& given, references::Precision precision) {
   const auto is_explained = [&](const Image& some) {
     return budget_of(s, some, precision).count(Cause::unexplained) == 0;
   };
-  return holds_for_all_over(s, given, is_explained) &&
-         references::broken_bound(budget_of(s, given, precision), given.width, given.height).empty();
+  if (!holds_for_all_over(s, given, is_explained)) return OurVerdict::unexplained;
+  const Budget whole = budget_of(s, given, precision);
+  const bool is_bounded = references::broken_bound(whole, given.width, given.height).empty();
+  return is_bounded ? OurVerdict::passes : OurVerdict::out_of_bounds;
 }
 
-bool all_are_within(const Subject& s, const Image& given, const Resolution& resolution) {
-  return holds_for_all_over(s, given,
-                            [&](const Image& some) { return is_within_resolution(s, some, resolution); });
+OurVerdict verdict_within(const Subject& s, const Image& given, const Resolution& resolution) {
+  const auto is_within = [&](const Image& some) { return is_within_resolution(s, some, resolution); };
+  return holds_for_all_over(s, given, is_within) ? OurVerdict::passes : OurVerdict::unexplained;
 }
 
 /// Truncated values stand in the middle of what they can have been.
@@ -82,20 +84,20 @@ Image centred(const Image& truncated) {
 
 }  // namespace
 
-bool passes_our_gate(const Subject& subject, const Image& given, Made made) {
+OurVerdict our_verdict(const Subject& subject, const Image& given, Made made) {
   switch (made) {
     case Made::in_float:
-      return all_are_within(subject, given, float_resolution);
+      return verdict_within(subject, given, float_resolution);
     case Made::sampled_nearby:
-      return all_are_within(subject, given, nearby_resolution);
+      return verdict_within(subject, given, nearby_resolution);
     case Made::bits8_rounded:
-      return all_are_explained(subject, given, references::Precision::bits8);
+      return verdict_with(subject, given, references::Precision::bits8);
     case Made::bits8_truncated:
-      return all_are_explained(subject, centred(given), references::Precision::bits8);
+      return verdict_with(subject, centred(given), references::Precision::bits8);
     case Made::in_double:
       break;
   }
-  return all_are_explained(subject, given, references::Precision::float32);
+  return verdict_with(subject, given, references::Precision::float32);
 }
 
 }  // namespace plumb::gate_power
