@@ -79,23 +79,24 @@ TEST(GateRules, AntialiasedEdgesAreLeftOutByPixelmatchOnly) {
 
 TEST(OurGate, PassesTheRightPictureHoweverItIsHeld) {
   const Subject s = subject_of("shadow.sdf");
-  EXPECT_TRUE(passes_our_gate(s, s.right, Made::in_double));
-  EXPECT_TRUE(passes_our_gate(s, decoded_8_bits(s.right, true), Made::bits8_rounded));
-  EXPECT_TRUE(passes_our_gate(s, decoded_8_bits(s.right, false), Made::bits8_truncated));
+  EXPECT_EQ(our_verdict(s, s.right, Made::in_double), OurVerdict::passes);
+  EXPECT_EQ(our_verdict(s, decoded_8_bits(s.right, true), Made::bits8_rounded), OurVerdict::passes);
+  EXPECT_EQ(our_verdict(s, decoded_8_bits(s.right, false), Made::bits8_truncated), OurVerdict::passes);
   textbook::RenderJob job = s.job;
   job.real = textbook::RealType::float32;
-  EXPECT_TRUE(passes_our_gate(s, textbook::render(s.scene, s.camera, job), Made::in_float));
+  EXPECT_EQ(our_verdict(s, textbook::render(s.scene, s.camera, job), Made::in_float), OurVerdict::passes);
 }
 
 TEST(OurGate, FailsAFaultHoweverThePictureIsHeld) {
   const Subject s = subject_of("shadow.sdf");
   const Image wrong =
       references::render_with(s.scene, s.camera, s.job, {references::find_fault("pixel-corner")});
-  EXPECT_FALSE(passes_our_gate(s, wrong, Made::in_double));
-  EXPECT_FALSE(passes_our_gate(s, wrong, Made::in_float));
-  EXPECT_FALSE(passes_our_gate(s, wrong, Made::sampled_nearby));
-  EXPECT_FALSE(passes_our_gate(s, decoded_8_bits(wrong, false), Made::bits8_truncated));
-  EXPECT_FALSE(passes_our_gate(s, decoded_8_bits(s.right, true), Made::in_double)) << "8 bits, untold";
+  EXPECT_EQ(our_verdict(s, wrong, Made::in_double), OurVerdict::unexplained);
+  EXPECT_EQ(our_verdict(s, wrong, Made::in_float), OurVerdict::unexplained);
+  EXPECT_EQ(our_verdict(s, wrong, Made::sampled_nearby), OurVerdict::unexplained);
+  EXPECT_EQ(our_verdict(s, decoded_8_bits(wrong, false), Made::bits8_truncated), OurVerdict::unexplained);
+  EXPECT_EQ(our_verdict(s, decoded_8_bits(s.right, true), Made::in_double), OurVerdict::unexplained)
+      << "8 bits, untold";
 }
 
 TEST(Experiments, AreMany) {
