@@ -85,7 +85,7 @@ std::string picture_bytes(const ReportEntry& entry) {
   check(entry);
   const std::vector<float>&reference = entry.reference->rgb, &test = entry.test->rgb;
   std::string bytes;
-  constexpr std::size_t bytes_of_pixel = 2 * 3 * sizeof(float) + 1;
+  constexpr std::size_t bytes_of_pixel = sizeof(float) * 3 * 2 + 1;
   bytes.reserve(bytes_of_pixel * (reference.size() / 3) + 2);
   append_shuffled(bytes, reference.size(), [&](std::size_t i) { return bits(reference[i]); });
   append_shuffled(bytes, test.size(), [&](std::size_t i) { return bits(test[i]) ^ bits(reference[i]); });
