@@ -82,9 +82,27 @@ template <class Real>
 HWY_INLINE V<Real> dot(const V3<Real>& a, const V3<Real>& b) {
   return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
 }
+/// 1 / sqrt(x).
+template <class Real>
+HWY_INLINE V<Real> exact_inverse_root(V<Real> x) {
+  return hn::Div(set(Real(1)), hn::Sqrt(x));
+}
+HWY_INLINE V<float> inverse_root(V<float> x) { return exact_inverse_root<float>(x); }
+/// Square roots and quotients of doubles take longest of all: two of Newton's steps from those of floats.
+HWY_INLINE V<double> inverse_root(V<double> x) {
+  const hn::Rebind<float, Tag<double>> floats;
+  const V<double> half = hn::Mul(x, set(0.5)), three_halves = set(1.5);
+  const auto in_float = hn::Div(hn::Set(floats, 1.0F), hn::Sqrt(hn::DemoteTo(floats, x)));
+  V<double> root = hn::PromoteTo(Tag<double>(), in_float);
+  for (int step = 0; step < 2; ++step)
+    root = hn::Mul(root, hn::Sub(three_halves, hn::Mul(hn::Mul(half, root), root)));
+  const M<double> fits = hn::And(hn::Gt(x, set(0x1p-120)), hn::Lt(x, set(0x1p120)));
+  if (HWY_LIKELY(hn::AllTrue(Tag<double>(), fits))) return root;
+  return hn::IfThenElse(fits, root, exact_inverse_root<double>(x));
+}
 template <class Real>
 HWY_INLINE V3<Real> normalised(const V3<Real>& a) {
-  return scaled<Real>(a, hn::Div(set(Real(1)), hn::Sqrt(dot<Real>(a, a))));
+  return scaled<Real>(a, inverse_root(dot<Real>(a, a)));
 }
 template <class Real>
 HWY_INLINE V3<Real> where(M<Real> mask, const V3<Real>& yes, const V3<Real>& no) {
@@ -118,7 +136,7 @@ struct Format<double> {
   static constexpr double integer_magic = 0x1.8p52;  ///< adding it leaves an integer in the low bits
   static constexpr double ln2_high = 0x1.62e42fefa3800p-1, ln2_low = 0x1.ef35793c76730p-45;
   static constexpr double smallest = 1e-300, least_exponent = -708;
-  static constexpr int log_terms = 11, exp_terms = 13;
+  static constexpr int log_terms = 8, exp_terms = 10;
 };
 template <>
 struct Format<float> {
@@ -155,6 +173,8 @@ HWY_INLINE V<Real> log_of(V<Real> x) {
   return hn::Add(hn::Mul(e, set(F::ln2_high)), hn::Add(log_f, hn::Mul(e, set(F::ln2_low))));
 }
 
+constexpr double per_factorial(int n) { return n < 2 ? 1.0 : per_factorial(n - 1) / n; }
+
 /// e^x for x <= 88; 0 below Format::least_exponent. x = k ln 2 + r, e^r by its series.
 template <class Real>
 HWY_INLINE V<Real> exp_of(V<Real> x) {
@@ -166,9 +186,9 @@ HWY_INLINE V<Real> exp_of(V<Real> x) {
   const V<Real> rounded = hn::Add(hn::Mul(at_least, set(static_cast<Real>(1.4426950408889634))), magic);
   const V<Real> k = hn::Sub(rounded, magic);
   const V<Real> r = hn::Sub(hn::Sub(at_least, hn::Mul(k, set(F::ln2_high))), hn::Mul(k, set(F::ln2_low)));
-  V<Real> series = set(Real(1));
-  for (int i = F::exp_terms; i >= 1; --i)
-    series = hn::Add(hn::Mul(hn::Mul(series, r), set(static_cast<Real>(1.0 / i))), set(Real(1)));
+  V<Real> series = set(static_cast<Real>(per_factorial(F::exp_terms)));
+  for (int i = F::exp_terms - 1; i >= 0; --i)
+    series = hn::Add(hn::Mul(series, r), set(static_cast<Real>(per_factorial(i))));
   const auto power =
       hn::ShiftLeft<F::mantissa_bits>(hn::Add(hn::BitCast(w, rounded), hn::Set(w, F::exponent_of_one)));
   return hn::IfThenElse(hn::Lt(x, set(F::least_exponent)), set(Real(0)),

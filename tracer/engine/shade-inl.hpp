@@ -194,8 +194,9 @@ class Shader final : public TileRenderer<Real> {
       }
       const V3<Real> point = load3(level.point, i), normal = load3(level.normal, i);
       const V3<Real> offset = sub<Real>(position, point);
-      const V<Real> distance = hn::Sqrt(dot<Real>(offset, offset));
-      const V3<Real> l = scaled<Real>(offset, hn::Div(set(Real(1)), distance));
+      const V<Real> square = dot<Real>(offset, offset), per_distance = inverse_root(square);
+      const V<Real> distance = hn::Mul(square, per_distance);
+      const V3<Real> l = scaled<Real>(offset, per_distance);
       const V<Real> cos_theta = dot<Real>(normal, l);
       const M<Real> counts =
           hn::And(is_hit, hn::And(hn::Gt(cos_theta, set(Real(0))), first<Real>(level.size - i)));
