@@ -87,6 +87,19 @@ HWY_INLINE W<Real> face_of(V<Real> direction, unsigned axis, bool entered) {
   return entered ? hn::IfThenElse(ascends, low, high) : hn::IfThenElse(ascends, high, low);
 }
 
+template <class Real>
+HWY_INLINE M<Real> starts_on_face(const RayVector<Real>& ray, W<Real> face) {
+  return hn::And(ray.own, hn::RebindMask(Tag<Real>(), hn::Eq(ray.own_face, face)));
+}
+/// The lanes that start on a face of the box and move away from it.
+template <class Real>
+HWY_INLINE M<Real> leaves_own_box(const RayVector<Real>& ray) {
+  const V3<Real>& d = ray.direction;
+  return hn::Or(hn::Or(starts_on_face(ray, face_of<Real>(d.x, 0, false)),
+                       starts_on_face(ray, face_of<Real>(d.y, 1, false))),
+                starts_on_face(ray, face_of<Real>(d.z, 2, false)));
+}
+
 /// formulas::intersect_box.
 template <class Real>
 HWY_INLINE Met<Real> meet(const RayVector<Real>& ray, const V3<Real>& per_direction, const Box<Real>& box) {
@@ -98,13 +111,9 @@ HWY_INLINE Met<Real> meet(const RayVector<Real>& ray, const V3<Real>& per_direct
   Slab<Real> z = slab<Real>(ray.origin.z, d.z, per_direction.z, box.min.z, box.max.z);
   M<Real> is_missed = hn::Or(hn::Or(x.is_missed, y.is_missed), z.is_missed);
   if (ray.any_own) {
-    const auto starts_on = [&](W<Real> face) HWY_ATTR {
-      return hn::And(ray.own, hn::RebindMask(Tag<Real>(), hn::Eq(ray.own_face, face)));
-    };
+    const auto starts_on = [&](W<Real> face) HWY_ATTR { return starts_on_face(ray, face); };
     // What starts on the face where it would leave moves away; where it would enter, it is there.
-    is_missed = hn::Or(is_missed, starts_on(face_of<Real>(d.x, 0, false)));
-    is_missed = hn::Or(is_missed, starts_on(face_of<Real>(d.y, 1, false)));
-    is_missed = hn::Or(is_missed, starts_on(face_of<Real>(d.z, 2, false)));
+    is_missed = hn::Or(is_missed, leaves_own_box(ray));
     x.enter = hn::IfThenElse(starts_on(face_of<Real>(d.x, 0, true)), zero, x.enter);
     y.enter = hn::IfThenElse(starts_on(face_of<Real>(d.y, 1, true)), zero, y.enter);
     z.enter = hn::IfThenElse(starts_on(face_of<Real>(d.z, 2, true)), zero, z.enter);

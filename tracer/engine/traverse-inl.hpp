@@ -234,10 +234,8 @@ class Traversal {
           transformed_vector<Real>(member.member_from_group, load3(*view.direction, view.begin + i));
       store3<Real>(origin, local->origin, i);
       store3<Real>(direction, local->direction, i);
-      const M<Real> is_asked =
-          hn::And(HWY_NAMESPACE::first<Real>(size_ - i), hn::Ge(load(&rays_.t[begin_ + i]), set(Real(0))));
-      origins.add(is_asked, origin);
-      directions.add(is_asked, direction);
+      origins.add(is_asked(i), origin);
+      directions.add(is_asked(i), direction);
     }
     const Group& group = scene_.groups[member.group];
     Bundle bundle({origins.min(), origins.max(), directions.min(), directions.max()}, group);
@@ -254,15 +252,13 @@ class Traversal {
                              std::uint64_t first) {
     const std::uint64_t instance = first + label_of(scene_, shape).instance;
     const std::uint64_t hits = hits_;
-    if (shape.kind() == Kind::box && object_from_group == nullptr && !view.has_inverses) invert(view);
+    if (shape.kind() == Kind::box && object_from_group == nullptr) {
+      if (knows_starts_ && all_leave(ref, instance, view)) return false;
+      if (!view.has_inverses) invert(view);
+    }
     for (std::size_t i = 0; i < size_; i += lanes<Real>()) {
       ++statistics_.shape_tests;
-      RayVector<Real> ray{load3(*view.origin, view.begin + i),
-                          load3(*view.direction, view.begin + i),
-                          view.is_unit,
-                          false,
-                          hn::MaskFromVec(hn::Zero(Tag<Real>())),
-                          hn::Zero(WordTag<Real>())};
+      RayVector<Real> ray = ray_vector(view, i);
       if (knows_starts_) set_own(ray, ref, instance, i);
       if (object_from_group != nullptr) {
         ray.origin = transformed_point<Real>(*object_from_group, ray.origin);
@@ -279,6 +275,30 @@ class Traversal {
       }
     }
     return hits_ != hits;
+  }
+
+  static HWY_INLINE RayVector<Real> ray_vector(const RayView<Real>& view, std::size_t i) {
+    return {load3(*view.origin, view.begin + i),
+            load3(*view.direction, view.begin + i),
+            view.is_unit,
+            false,
+            hn::MaskFromVec(hn::Zero(Tag<Real>())),
+            hn::Zero(WordTag<Real>())};
+  }
+
+  /// The lanes that look for something: those within the bundle whose t is not negative.
+  HWY_INLINE M<Real> is_asked(std::size_t i) const {
+    return hn::And(HWY_NAMESPACE::first<Real>(size_ - i), hn::Ge(load(&rays_.t[begin_ + i]), set(Real(0))));
+  }
+
+  /// Whether all rays start on a face of this box and go away from it, as from a floor to the lights.
+  HWY_INLINE bool all_leave(Ref box, std::uint64_t instance, const RayView<Real>& view) const {
+    for (std::size_t i = 0; i < size_; i += lanes<Real>()) {
+      RayVector<Real> ray = ray_vector(view, i);
+      set_own(ray, box, instance, i);
+      if (!ray.any_own || !none<Real>(hn::AndNot(leaves_own_box(ray), is_asked(i)))) return false;
+    }
+    return true;
   }
 
   HWY_NOINLINE void invert(RayView<Real>& view) const {
