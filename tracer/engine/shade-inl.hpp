@@ -230,9 +230,7 @@ class Shader final : public TileRenderer<Real> {
     std::size_t size = 0;
     for (std::size_t r = 0; r < runs; ++r) {
       const std::size_t begin = runs_[r] >> 16 & 0xffff, end = runs_[r] & 0xffff;
-      for (std::size_t i = begin; i < end; ++i) {
-        if (shadow_.rays.t[i] > 0) take(i, size++);
-      }
+      for (std::size_t i = begin; i < end; i += lanes<Real>()) size += take(i, end - i, size);
     }
     finder_.template find<true>(sorted_, 0, size, true, &light);
     for (std::size_t to = 0; to < size; ++to) shadow_.rays.t[from_[to]] = sorted_.t[to];
@@ -248,16 +246,35 @@ class Shader final : public TileRenderer<Real> {
     }
     return runs;
   }
-  HWY_INLINE void take(std::size_t i, std::size_t to) {
+  /// Those of a vector of rays that look for something go next to each other; how many they are.
+  HWY_INLINE std::size_t take(std::size_t i, std::size_t count, std::size_t to) {
     const Rays<Real>& rays = shadow_.rays;
-    put(sorted_.origin, to, vector_at(rays.origin, i));
-    put(sorted_.direction, to, vector_at(rays.direction, i));
-    sorted_.t_min[to] = rays.t_min[i];
-    sorted_.t[to] = rays.t[i];
-    sorted_.start[to] = rays.start[i];
-    sorted_.start_face[to] = rays.start_face[i];
-    sorted_.start_instance[to] = rays.start_instance[i];
-    from_[to] = static_cast<std::uint16_t>(i);
+    const V<Real> t = load(&rays.t[i]);
+    const M<Real> asked = hn::And(first<Real>(count), hn::Gt(t, set(Real(0))));
+    const WordTag<Real> w;
+    const auto keep = [asked](const Real* lane, Real* kept) HWY_ATTR {
+      hn::CompressStore(load(lane), asked, Tag<Real>(), kept);
+    };
+    const auto keep_word = [asked, w](const Word<Real>* lane, Word<Real>* kept) HWY_ATTR {
+      hn::CompressStore(hn::LoadU(w, lane), hn::RebindMask(w, asked), w, kept);
+    };
+    keep(&rays.origin.x[i], &sorted_.origin.x[to]);
+    keep(&rays.origin.y[i], &sorted_.origin.y[to]);
+    keep(&rays.origin.z[i], &sorted_.origin.z[to]);
+    keep(&rays.direction.x[i], &sorted_.direction.x[to]);
+    keep(&rays.direction.y[i], &sorted_.direction.y[to]);
+    keep(&rays.direction.z[i], &sorted_.direction.z[to]);
+    keep(&rays.t_min[i], &sorted_.t_min[to]);
+    keep(&rays.t[i], &sorted_.t[to]);
+    keep_word(&rays.start[i], &sorted_.start[to]);
+    keep_word(&rays.start_face[i], &sorted_.start_face[to]);
+    std::size_t kept = to;
+    for (unsigned bits = bits_of<Real>(asked); bits != 0; bits &= bits - 1)
+      from_[kept++] = static_cast<std::uint16_t>(i + static_cast<unsigned>(__builtin_ctz(bits)));
+    if (!scene_.members.empty()) {
+      for (std::size_t k = to; k < kept; ++k) sorted_.start_instance[k] = rays.start_instance[from_[k]];
+    }
+    return kept - to;
   }
 
   /// kd (l.n) + ks (r.v)^m.
