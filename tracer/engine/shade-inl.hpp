@@ -32,6 +32,7 @@ class Shader final : public TileRenderer<Real> {
     for (const EnclosingDielectric& around : view.around_the_eye)
       around_the_eye_ =
           interiors_.cross(around_the_eye_, around.instance, static_cast<Real>(around.eta)).interior;
+    set_what_camera_rays_share();
   }
 
   void render(const Tile& tile, float* rgb) override {
@@ -82,39 +83,41 @@ class Shader final : public TileRenderer<Real> {
     }
   }
 
+  void set_what_camera_rays_share() {
+    Level<Real>& level = level_at(0);
+    level.interior.fill(around_the_eye_);
+    for (std::size_t i = 0; i < stream_size; i += lanes<Real>()) {
+      store3<Real>(set3(view_.eye), level.rays.origin, i);
+      store_start(level.rays, i, set3(view_.eye));
+    }
+  }
+
   /// Slide "Kameramodell", formulas::image_plane_point: one ray through each pixel, at the same place in all
   /// of them. Neighbours in the stream are neighbours in the picture: every 8 rays, 16, 64 are a block. The
   /// parent of a camera ray is its pixel in the tile.
   std::size_t start_tile(const Tile& tile, const SamplePoint& sample) {
     Level<Real>& level = level_at(0);
     const std::size_t size = number_pixels(tile, level);
-    std::fill_n(level.depth.begin(), size, std::uint16_t{0});
-    std::fill_n(level.unbent.begin(), size, std::uint16_t{0});
-    std::fill_n(level.interior.begin(), size, around_the_eye_);
     // In units of the plane's width: x - 1/2, and (1/2 - y) * height / width. The whole numbers are added
     // first, exactly: so a ray does not depend on the tile that its pixel is in.
     const V<Real> pixel = set(1 / static_cast<Real>(view_.width));
     const V<Real> left = set(static_cast<Real>(tile.x)), above = set(static_cast<Real>(tile.y));
     const V<Real> in_x = set(static_cast<Real>(sample.x)), in_y = set(static_cast<Real>(sample.y));
     const V<Real> middle = set(static_cast<Real>(view_.height) / 2);
-    const V3<Real> eye = set3(view_.eye), forward = set3(view_.forward);
+    const V3<Real> forward = set3(view_.forward);
     for (std::size_t i = 0; i < size; i += lanes<Real>()) {
       const V<Real> x =
           hn::Sub(hn::Mul(hn::Add(hn::Add(left, load(&pixel_x_[i])), in_x), pixel), set(Real(0.5)));
       const V<Real> y = hn::Mul(hn::Sub(hn::Sub(middle, hn::Add(above, load(&pixel_y_[i]))), in_y), pixel);
       const V3<Real> across = scaled<Real>(set3(view_.right), x), along = scaled<Real>(set3(view_.up), y);
-      store_ray(level.rays, i, eye, normalised<Real>(add<Real>(add<Real>(across, along), forward)));
-      hn::StoreU(hn::Zero(WordTag<Real>()), WordTag<Real>(), &level.rays.start[i]);
+      store3<Real>(normalised<Real>(add<Real>(add<Real>(across, along), forward)), level.rays.direction, i);
     }
     return size;
   }
   /// Where the rays of a tile are in it: those of a whole one as they are known.
   std::size_t number_pixels(const Tile& tile, Level<Real>& level) {
     const bool is_whole = tile.width == tile_edge && tile.height == tile_edge;
-    if (is_whole && knows_whole_tile_) {
-      std::copy_n(whole_tile_.begin(), tile_pixels.size(), level.parent.begin());
-      return tile_pixels.size();
-    }
+    if (is_whole && knows_whole_tile_) return tile_pixels.size();
     std::size_t size = 0;
     for (const TilePixel& pixel : tile_pixels) {
       if (pixel.x >= tile.width || pixel.y >= tile.height) continue;
@@ -123,15 +126,8 @@ class Shader final : public TileRenderer<Real> {
       level.parent[size] = static_cast<std::uint32_t>(pixel.y * tile.width + pixel.x);
       ++size;
     }
-    if (is_whole) std::copy_n(level.parent.begin(), size, whole_tile_.begin());
     knows_whole_tile_ = is_whole;
     return size;
-  }
-  HWY_INLINE void store_ray(Rays<Real>& rays, std::size_t i, const V3<Real>& origin,
-                            const V3<Real>& direction) {
-    store3<Real>(origin, rays.origin, i);
-    store3<Real>(direction, rays.direction, i);
-    store_start(rays, i, origin);
   }
   HWY_INLINE void store_start(Rays<Real>& rays, std::size_t i, const V3<Real>& origin) {
     const V<Real> size = hn::Max(hn::Max(hn::Abs(origin.x), hn::Abs(origin.y)), hn::Abs(origin.z));
@@ -147,7 +143,8 @@ class Shader final : public TileRenderer<Real> {
     }
     finder_.template find<false>(level.rays, 0, level.size, index > 0, nullptr);
     shade(level);
-    if (scene_.mirrors || scene_.transmits) send_on(index);
+    const bool is_last = view_.options.depth <= 1;  // any level after this one is black
+    if ((scene_.mirrors || scene_.transmits) && !is_last) send_on(index);
   }
 
   void shade(Level<Real>& level) {
@@ -158,6 +155,8 @@ class Shader final : public TileRenderer<Real> {
       const V3<Real> background = set3(scene_.background);
       if (none<Real>(is_hit)) {
         store3<Real>(background, level.colour, i);
+        level.is_of_one[i] = true;
+        level.material[i] = 0;
         continue;
       }
       const V3<Real> direction = load3(level.rays.direction, i);
@@ -252,9 +251,8 @@ class Shader final : public TileRenderer<Real> {
     const V<Real> t = load(&rays.t[i]);
     const M<Real> asked = hn::And(first<Real>(count), hn::Gt(t, set(Real(0))));
     const WordTag<Real> w;
-    const auto keep = [asked](const Real* lane, Real* kept) HWY_ATTR {
-      hn::CompressStore(load(lane), asked, Tag<Real>(), kept);
-    };
+    const auto keep = [asked](const Real* lane, Real* kept)
+                          HWY_ATTR { hn::CompressStore(load(lane), asked, Tag<Real>(), kept); };
     const auto keep_word = [asked, w](const Word<Real>* lane, Word<Real>* kept) HWY_ATTR {
       hn::CompressStore(hn::LoadU(w, lane), hn::RebindMask(w, asked), w, kept);
     };
@@ -358,19 +356,26 @@ class Shader final : public TileRenderer<Real> {
     Level<Real>& level = *levels_[index];
     level_at(index + 1).size = 0;
     const std::size_t media = interiors_.size();
-    for (std::size_t i = 0; i < level.size; ++i) {
-      if (level.rays.ref[i] == 0) continue;
-      const Material<Real>& material = scene_.materials[level.material[i]];
-      const bool mirrors = material.kr != Rgb<Real>(0), transmits = material.kt != Rgb<Real>(0);
-      if (mirrors || transmits) send_from(index, i, material, mirrors, transmits);
+    for (std::size_t i = 0; i < level.size; i += lanes<Real>()) {
+      const std::size_t end = std::min(level.size, i + lanes<Real>());
+      const bool is_end = level.is_of_one[i] && !sends_on(level.material[i]);
+      for (std::size_t lane = i; lane < end && !is_end; ++lane) {
+        if (level.rays.ref[lane] != 0 && sends_on(level.material[lane])) send_from(index, lane);
+      }
     }
     run_children(index);
     interiors_.shrink(media);
   }
 
-  void send_from(std::size_t index, std::size_t i, const Material<Real>& material, bool mirrors,
-                 bool transmits) {
+  bool sends_on(std::uint32_t material) const {
+    const Material<Real>& m = scene_.materials[material];
+    return m.kr != Rgb<Real>(0) || m.kt != Rgb<Real>(0);
+  }
+
+  void send_from(std::size_t index, std::size_t i) {
     const Level<Real>& level = *levels_[index];
+    const Material<Real>& material = scene_.materials[level.material[i]];
+    const bool mirrors = material.kr != Rgb<Real>(0), transmits = material.kt != Rgb<Real>(0);
     const Vec3<Real> d = vector_at(level.rays.direction, i), n = vector_at(level.normal, i);
     const int depth = level.depth[i] + 1;
     const bool is_last = depth >= view_.options.depth;
@@ -444,11 +449,10 @@ class Shader final : public TileRenderer<Real> {
   Rays<Real> sorted_;
   Lanes<std::uint64_t> runs_;
   Lanes<std::uint16_t> from_;
-  Lanes3<Real> sum_;                 ///< of the samples of a tile
-  Lanes<Real> pixel_x_, pixel_y_;    ///< of the rays of a tile, from its corner
-  Lanes<std::uint32_t> whole_tile_;  ///< the parents of its rays
-  bool knows_whole_tile_ = false;    ///< and pixel_x_, pixel_y_ are of one
-  Lanes3<Real> delta_;               ///< of lights seen through glass
+  Lanes3<Real> sum_;               ///< of the samples of a tile
+  Lanes<Real> pixel_x_, pixel_y_;  ///< of the rays of a tile, from its corner
+  bool knows_whole_tile_ = false;  ///< whether they, and the parents of camera rays, are of one
+  Lanes3<Real> delta_;             ///< of lights seen through glass
   Interiors<Real> interiors_;
   std::int32_t around_the_eye_ = Interiors<Real>::nothing;
   Statistics statistics_;
