@@ -58,6 +58,14 @@ class Finder {
     send<any_hit>(rays, begin, size, knows_starts, bundle);
   }
 
+  /// Whether all rays within some bounds certainly go past everything.
+  bool meets_nothing(const RayBounds& rays) {
+    const Group& world = scene_.groups[0];
+    ++statistics_.bundles;
+    return world.root.kind() == Kind::none ||
+           !may_meet(scene_.nodes, world.root.index(), Bundle(rays, world));
+  }
+
  private:
   template <bool any_hit>
   void find_halves(Rays<Real>& rays, std::size_t begin, std::size_t size, bool knows_starts,

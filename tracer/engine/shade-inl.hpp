@@ -36,6 +36,7 @@ class Shader final : public TileRenderer<Real> {
   }
 
   void render(const Tile& tile, float* rgb) override {
+    if (finder_.meets_nothing(bounds_of(tile))) return show_background(tile, rgb);
     Level<Real>& level = level_at(0);
     for (const SamplePoint& sample : view_.samples) {
       level.size = start_tile(tile, sample);
@@ -55,6 +56,37 @@ class Shader final : public TileRenderer<Real> {
   Level<Real>& level_at(std::size_t index) {
     while (levels_.size() <= index) levels_.push_back(std::make_unique<Level<Real>>());
     return *levels_[index];
+  }
+
+  /// Of all rays through a tile, to any place in its pixels; they are off by a few roundings.
+  RayBounds bounds_of(const Tile& tile) const {
+    const Vec3<double> right(view_.right), up(view_.up), forward(view_.forward), eye(view_.eye);
+    RayBounds bounds{eye, eye};
+    for (const int x : {tile.x, tile.x + tile.width}) {
+      for (const int y : {tile.y, tile.y + tile.height}) {
+        const Vec3<double> d =
+            right * (double(x) / view_.width - 0.5) + up * ((0.5 * view_.height - y) / view_.width) + forward;
+        bounds.slope_min = glm::min(bounds.slope_min, d);
+        bounds.slope_max = glm::max(bounds.slope_max, d);
+      }
+    }
+    const double tallness = std::max(1.0, double(view_.height) / view_.width);
+    const Vec3<double> pad = (glm::abs(right) + glm::abs(up) * tallness + glm::abs(forward)) *
+                             (16 * double(std::numeric_limits<Real>::epsilon()));
+    bounds.slope_min -= pad;
+    bounds.slope_max += pad;
+    return bounds;
+  }
+
+  /// The sum and the mean are rounded as those of rays are.
+  void show_background(const Tile& tile, float* rgb) {
+    const auto samples = view_.samples.size();
+    Rgb<Real> sum = scene_.background;
+    for (std::size_t i = 1; i < samples; ++i) sum += scene_.background;
+    const Rgb<float> mean(samples == 1 ? sum : sum / static_cast<Real>(samples));
+    const std::size_t pixels = static_cast<std::size_t>(tile.width) * static_cast<std::size_t>(tile.height);
+    for (std::size_t i = 0; i < pixels; ++i) std::copy_n(&mean.x, 3, rgb + 3 * i);
+    statistics_.camera_rays += pixels * samples;
   }
 
   void write(const Lanes3<Real>& colour, Real samples, const Level<Real>& level, float* rgb) const {
