@@ -95,6 +95,13 @@ class Writer final : public RowWriter<float> {
   int next_ = 0;
 };
 
+/// Everything in the calling thread: idle threads of OpenImageIO and OpenEXR race with the end of the process
+/// (OpenImageIO, issue 3851), and our bands of rows are too small to share.
+void use_no_threads() {
+  static const bool is_set = lib::attribute("threads", 1) && lib::attribute("exr_threads", -1);
+  static_cast<void>(is_set);
+}
+
 }  // namespace
 }  // namespace plumb::oiio
 
@@ -108,10 +115,12 @@ extern "C" {
 
 std::unique_ptr<plumb::RowWriter<float>> plumb_oiio_write(plumb::ByteSink& file, const std::string& path,
                                                           int width, int height, plumb::oiio::Depth depth) {
+  plumb::oiio::use_no_threads();
   return std::make_unique<plumb::oiio::Writer>(file, path, plumb::oiio::spec_for(width, height, depth));
 }
 
 std::string plumb_oiio_read(const std::string& path, plumb::ImageFile& pixels) {
+  plumb::oiio::use_no_threads();
   const auto in = plumb::oiio::lib::ImageInput::open(path);
   if (!in) return plumb::oiio::lib::geterror();
   const auto& spec = in->spec();
