@@ -85,6 +85,38 @@ TEST(Engine, ScenesOfTheProjectAgreeWithTheTextbookTracer) {
   }
 }
 
+/// The engine has a power function of its own.
+TEST(Engine, HighlightsOfAllSizesAgreeWithTheTextbookTracer) {
+  for (const char* m : {"0", "0.001", "1", "1.5", "300", "100000", "10000000"}) {
+    const ReadResult read =
+        read_scene("define material shiny 0 0 0 0.2 0.1 0 1 0.9 0.8 " + std::string(m) +
+                   "\ndefine shape sphere ball 0 0 -3 1 shiny\ndefine light l 0.3 0.2 5 1 1 1 1\n");
+    ASSERT_FALSE(read.has_errors()) << m;
+    const Camera& camera = read.scene.cameras.front();
+    const RenderJob job = small({});
+    const Image image = engine::render(read.scene, camera, job);
+    EXPECT_EQ(unexplained(read.scene, camera, job, image), 0) << m;
+    EXPECT_GT(*std::max_element(image.rgb.begin(), image.rgb.end()), 0.1F) << m << ": nothing is seen";
+  }
+}
+
+/// Tiles that no object is seen in are not traced: neither must they be taken for such.
+TEST(Engine, SpecksAreSeenInTheTilesThatTheyAreIn) {
+  std::string text = "define material red 1 0 0 0 0 0 0 0 0 1\nambient 1 1 1\n";
+  for (int i = 0; i < 40; ++i) {
+    text += "define shape sphere s" + std::to_string(i) + " " + std::to_string(0.1 * (i % 8 - 3.5)) + " " +
+            std::to_string(0.1 * (i / 8 - 2)) + " -3 0.004 red\n";
+  }
+  const ReadResult read = read_scene(text);
+  ASSERT_FALSE(read.has_errors());
+  RenderJob job = small({});
+  job.width = 203;
+  job.height = 141;
+  const Camera& camera = read.scene.cameras.front();
+  const Image image = engine::render(read.scene, camera, job);
+  EXPECT_EQ(unexplained(read.scene, camera, job, image), 0);
+}
+
 /// Of surfaces that coincide one is crossed, from the front, from inside and at grazing angles: glass that is
 /// there twice is the glass that is there once.
 TEST(Engine, GlassThatIsThereTwiceIsCrossedOnceByBothTracers) {
