@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "references/attribution.hpp"
+#include "references/comparison.hpp"
 #include "tests/support/random_scene.hpp"
 #include "tests/support/run.hpp"
 #include "tracer/engine/render.hpp"
@@ -115,6 +116,21 @@ TEST(Engine, SpecksAreSeenInTheTilesThatTheyAreIn) {
   const Camera& camera = read.scene.cameras.front();
   const Image image = engine::render(read.scene, camera, job);
   EXPECT_EQ(unexplained(read.scene, camera, job, image), 0);
+}
+
+/// A sphere of 1/2500 of its distance: half_b^2 - c would lose half of a float's digits there.
+TEST(Engine, FloatIsGoodToItsLastDigitsOnSmallSpheres) {
+  const ReadResult read = read_scene(
+      "define material white 0 0 0 0.9 0.9 0.9 0 0 0 1\ndefine shape sphere speck 0 0 -10 0.004 white\n"
+      "define light l 0.3 0.2 5 1 1 1 1\ndefine camera eye 0.05\nrender eye speck.ppm 45 30\n");
+  ASSERT_FALSE(read.has_errors());
+  RenderJob job = small({});
+  const Image right = engine::render(read.scene, read.scene.camera("eye"), job);
+  job.real = RealType::float32;
+  const Image image = engine::render(read.scene, read.scene.camera("eye"), job);
+  // Because a float has 24 bits and the hit's place is known to an ulp of its distance, 2500 radii.
+  EXPECT_LE(references::compare(image, right, 2500 * 0x1p-23).pixels_over, 4U) << "beyond the silhouette";
+  EXPECT_GT(*std::max_element(right.rgb.begin(), right.rgb.end()), 0.5F) << "nothing is seen";
 }
 
 /// Of surfaces that coincide one is crossed, from the front, from inside and at grazing angles: glass that is

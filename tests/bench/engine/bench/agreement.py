@@ -9,10 +9,6 @@ EXACT, TIES = 1e-6, 1e-5
 # silhouettes and edges of shadows by less than a pixel, and five mirrors among 597,871 small spheres magnify that: 0.7 % of
 # the pixels there; Tachyon drops terms below 0.001; POV-Ray's and Tachyon's files hold 16 bits, clamped at 1.
 LOOSE, EDGES = 2 / 255, 1e-2
-# Our float kernels: 95 %. Because they start rays from points that float rounds, where Embree's program moves them off the
-# surface: five mirrors among 7,381 small spheres turn that into 3.1 % of the pixels. Doubles are for what must be right.
-FLOAT_EDGES = 5e-2
-
 # Textbook pictures cost objects x pixels: beyond these the exact check is made on a smaller picture of the same view.
 MOST_TESTS = 4e8
 
@@ -49,7 +45,7 @@ class Agreement:
 
     def engine(self, renderer, is_float):
         if is_float:
-            return self._check(renderer.name, self.reference, renderer.picture(), LOOSE, FLOAT_EDGES)
+            return self._check(renderer.name, self.reference, renderer.picture(), LOOSE, EDGES)
         return self._check(renderer.name, self.textbook, renderer.picture(self.small), EXACT, TIES)
 
     def _check(self, name, reference, picture, tolerance, share):
