@@ -51,8 +51,13 @@ class Finder {
       bounds.slope_min = Vec3<double>(*light) - bounds.origin_min;
       bounds.slope_max = Vec3<double>(*light) - bounds.origin_max;
     }
-    if (width_of(bounds, world) > width_limit_)
+    const double width = width_of(bounds, world);
+    if (width > width_limit_) {
+      // Evenly apart, no two of them are near enough.
+      const bool are_apart = size <= lanes<Real>() && width > width_limit_ * static_cast<double>(size) / 2;
+      if (are_apart) return find_each<any_hit>(rays, begin, size, knows_starts, light);
       return find_halves<any_hit>(rays, begin, size, knows_starts, light);
+    }
     Bundle bundle(bounds, world);
     if (light != nullptr) bundle.limit(1);
     send<any_hit>(rays, begin, size, knows_starts, bundle);
@@ -74,6 +79,12 @@ class Finder {
         size > 2 * lanes<Real>() ? size / 2 / lanes<Real>() * lanes<Real>() : (size + 1) / 2;
     find<any_hit>(rays, begin, half, knows_starts, light);
     find<any_hit>(rays, begin + half, size - half, knows_starts, light);
+  }
+
+  template <bool any_hit>
+  void find_each(Rays<Real>& rays, std::size_t begin, std::size_t size, bool knows_starts,
+                 const Vec3<Real>* light) {
+    for (std::size_t i = begin; i < begin + size; ++i) find_one<any_hit>(rays, i, knows_starts, light);
   }
 
   template <bool any_hit>

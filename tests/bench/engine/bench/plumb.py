@@ -19,7 +19,7 @@ def has_engine(program):
 
 class Plumb:
     def __init__(self, program, job, engine, real, threads=1):
-        self.name = engine if engine == "textbook" else f"{engine}-{real}"
+        self.name = engine if (engine, real) == ("textbook", "double") else f"{engine}-{real}"
         self.job, self.program = job, program
         self.has_engine = has_engine(program)
         self.options = ["--depth", str(job.depth), "--threads", str(threads), "--real", real]
