@@ -65,6 +65,6 @@ inline constexpr std::size_t max_nesting = 1000;  ///< composites within composi
 /// Shapes, a shared child counted once per path: the engine numbers them with 32 bits.
 inline constexpr std::uint64_t max_instances = 4'000'000'000;
 /// The limit beyond which a scene is rendered, but not walked through instance by instance.
-inline constexpr std::uint64_t max_visited_instances = 1'000'000;
+inline constexpr std::uint64_t max_visited_instances = 2'000'000;
 
 }  // namespace plumb
