@@ -104,9 +104,9 @@ TEST(Engine, HighlightsOfAllSizesAgreeWithTheTextbookTracer) {
 /// Tiles that no object is seen in are not traced: neither must they be taken for such.
 TEST(Engine, SpecksAreSeenInTheTilesThatTheyAreIn) {
   std::string text = "define material red 1 0 0 0 0 0 0 0 0 1\nambient 1 1 1\n";
-  for (int i = 0; i < 40; ++i) {
-    text += "define shape sphere s" + std::to_string(i) + " " + std::to_string(0.1 * (i % 8 - 3.5)) + " " +
-            std::to_string(0.1 * (i / 8 - 2)) + " -3 0.004 red\n";
+  for (int i = 0; i < 40; ++i) {  // 19 pixels apart: in any part of a tile
+    text += "define shape sphere s" + std::to_string(i) + " " + std::to_string(0.23 * (i % 8 - 3.5)) + " " +
+            std::to_string(0.23 * (i / 8 - 2)) + " -3 0.009 red\n";
   }
   const ReadResult read = read_scene(text);
   ASSERT_FALSE(read.has_errors());
@@ -116,6 +116,7 @@ TEST(Engine, SpecksAreSeenInTheTilesThatTheyAreIn) {
   const Camera& camera = read.scene.cameras.front();
   const Image image = engine::render(read.scene, camera, job);
   EXPECT_EQ(unexplained(read.scene, camera, job, image), 0);
+  EXPECT_GE(std::count(image.rgb.begin(), image.rgb.end(), 1.0F), 10) << "specks are not seen";
 }
 
 /// A sphere of 1/2500 of its distance: half_b^2 - c would lose half of a float's digits there.
