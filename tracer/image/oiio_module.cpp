@@ -95,8 +95,8 @@ class Writer final : public RowWriter<float> {
   int next_ = 0;
 };
 
-/// Everything in the calling thread: with idle threads of OpenImageIO and OpenEXR at the end of the process the
-/// leak checker crashed now and then (compare OpenImageIO, issue 3851).
+/// Everything in the calling thread: with idle threads of OpenImageIO and OpenEXR at the end of the process
+/// the leak checker crashed now and then (compare OpenImageIO, issue 3851).
 void use_no_threads() {
   static const bool is_set = lib::attribute("threads", 1) && lib::attribute("exr_threads", -1);
   static_cast<void>(is_set);
