@@ -7,7 +7,7 @@
 namespace plumb::references {
 
 Renderer renderer_for(Renderer asked, RealType real) {
-  return real == RealType::long_double ? Renderer::textbook : asked;
+  return real == RealType::long_double || real == RealType::quad ? Renderer::textbook : asked;
 }
 
 void render(Renderer renderer, const Scene& scene, const Camera& camera, const RenderJob& job,

@@ -50,8 +50,9 @@ void add_scene_options(CLI::App& app, SceneOptions& options) {
 
 void add_real(CLI::App& app, SceneOptions& options) {
   app.add_option("--real", options.real,
-                 "type of real numbers; long-double is rendered by the textbook tracer")
-      ->check(CLI::IsMember({"float", "double", "long-double"}))
+                 "type of real numbers, of 24, 53, 64 and 113 bits; long-double and quad are rendered by the "
+                 "textbook tracer")
+      ->check(CLI::IsMember({"float", "double", "long-double", "quad"}))
       ->capture_default_str();
   app.add_option("--engine", options.engine,
                  "engine: the fast tracer (float and double); textbook: the readable one")
@@ -88,7 +89,8 @@ RenderOptions render_options_of(const SceneOptions& options) {
 
 RealType real_of(const SceneOptions& options) {
   if (options.real == "float") return RealType::float32;
-  return options.real == "double" ? RealType::float64 : RealType::long_double;
+  if (options.real == "double") return RealType::float64;
+  return options.real == "quad" ? RealType::quad : RealType::long_double;
 }
 
 references::Renderer renderer_of(const SceneOptions& options) {

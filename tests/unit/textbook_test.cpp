@@ -583,6 +583,16 @@ TEST(TextbookRender, DoubleAndLongDoubleAgree) {
   }
 }
 
+TEST(TextbookRender, DoubleAndQuadAgree) {
+  for (unsigned seed = 21; seed <= 25; ++seed) {
+    const auto random = tests::random_scene(seed);
+    const Image a = rendered(random.scene, 16, 12, RealType::float64, 1, random.options);
+    const Image b = rendered(random.scene, 16, 12, RealType::quad, 1, random.options);
+    // because of what DoubleAndLongDoubleAgree says
+    EXPECT_EQ(differing(a, b, 1e-6F), 0) << seed;
+  }
+}
+
 TEST(TextbookRender, FloatAndDoubleAgreeExceptAtEdges) {
   for (unsigned seed = 1; seed <= 20; ++seed) {
     const auto random = tests::random_scene(seed);

@@ -7,7 +7,8 @@
 
 namespace plumb {
 
-enum class RealType { float32, float64, long_double };
+/// `quad` has 113 bits, the most.
+enum class RealType { float32, float64, long_double, quad };
 
 /// Where in a pixel its samples lie.
 enum class SamplePattern {

@@ -3,6 +3,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "tracer/formulas/quad.hpp"
 #include "tracer/textbook/rows.hpp"
 #include "tracer/textbook/tracer.hpp"
 
@@ -22,12 +23,14 @@ void render(const Scene& scene, const Camera& camera, const RenderJob& job, cons
   if (job.samples != 1)
     throw std::invalid_argument("found " + std::to_string(job.samples) +
                                 " samples a pixel, expected 1: the textbook tracer, which renders "
-                                "long-double, too, takes the pixel's centre");
+                                "long-double and quad, too, takes the pixel's centre");
   switch (job.real) {
     case RealType::float32:
       return render_in<float>(scene, camera, job, sink);
     case RealType::long_double:
       return render_in<long double>(scene, camera, job, sink);
+    case RealType::quad:
+      return render_in<Quad>(scene, camera, job, sink);
     case RealType::float64:
       break;
   }
