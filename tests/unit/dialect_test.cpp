@@ -330,6 +330,8 @@ INSTANTIATE_TEST_SUITE_P(
         Spelling{"NoSize", "camera c 60\nrender c a.ppm\n", "camera c 60\nrender c a.ppm 480 320\n"},
         Spelling{"Samples", "camera c 60\nrender c a.ppm 8 9 4\n", "camera c 60\nrender c a.ppm 8 9\n"},
         Spelling{"CameraWithResolution", "camera c 60 8 9\n", "camera c 60\nrender c image.ppm 8 9\n"},
+        Spelling{"CameraWithResolutionAndRender", "camera c 60 8 9\nrender c a.ppm\n",
+                 "camera c 60\nrender c a.ppm 8 9\n"},
         Spelling{"CameraWithEye", "camera c 60 1 2 3\n", "camera c 60 1 2 3 0 0 -1 0 1 0\n"},
         Spelling{"CameraWithPoseAndResolution", "camera c 60 1 2 3 0 0 -1 0 1 0 8 9\n",
                  "camera c 60 1 2 3 0 0 -1 0 1 0\nrender c image.ppm 8 9\n"},

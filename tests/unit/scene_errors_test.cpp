@@ -280,7 +280,7 @@ TEST(SceneErrors, AnUnknownTransformationIsNamedWithTheNearestOne) {
 }
 
 TEST(SceneErrors, AnExponentIsNotNegative) {
-  expect_error(start + "define material m 0 0 0 0 0 0 0 0 0 -1\n", 3, 17, {"'m'", "m >= 0"});
+  expect_error(start + "define material m 0 0 0 0 0 0 0 0 0 -1\n", 3, 17, {"'m'", "m = -1", "m >= 0"});
 }
 
 TEST(SceneErrors, ARefractiveIndexOfGlassIsPositive) {

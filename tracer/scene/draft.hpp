@@ -42,6 +42,7 @@ struct Draft {
   struct RenderLine {
     Reference camera;  ///< no name: the first camera
     RenderRequest request;
+    bool has_size = true;
   };
   struct Resolution {
     double width;
@@ -65,7 +66,7 @@ struct Draft {
   std::vector<ChildUse> child_uses;
   std::vector<TransformLine> transforms;
   std::vector<RenderLine> renders;
-  std::optional<Resolution> camera_resolution;  ///< of the loose dialect, for a file without `render`
+  std::optional<Resolution> camera_resolution;  ///< of the loose dialect, where `render` gives no size
   Rgbd ambient_of_lights{0};                    ///< sum of La
   bool has_render_line = false;                 ///< even if it could not be read
   int unknown_names = 0;

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "tracer/scene/statements.hpp"
+#include "tracer/scene/writer.hpp"
 
 namespace plumb {
 namespace {
@@ -94,7 +95,10 @@ void material_numbers(Line& line, const Token& name, const std::vector<double>& 
     for (std::size_t i = 0; colours + i < v.size(); ++i)
       field(line, name, line.dialect().material[i], v[colours + i], made);
   }
-  if (made.m < 0) line.error(name, "expected m >= 0 in this material");
+  if (made.m < 0) {
+    line.say(Severity::error, line.place_of(name),
+             "found m = " + to_text(made.m) + " in material " + in_quotes(name.text) + ", expected m >= 0");
+  }
 }
 
 Tokens split_off_keywords(Tokens& tokens) {

@@ -106,7 +106,7 @@ void read_loose(Line& line, const Token& keyword, const Tokens& tokens) {
       render.camera = {found.places[i].text, line.place_of(found.places[i])};
     }
   }
-  if (n == 0) line.warning(keyword, "no size given: 480 x 320");
+  render.has_size = n != 0;
   if (n == 3) line.warning(found.numbers[2], "number of samples ignored: one sample a pixel is traced");
   if (n >= 2 && !read_size(line, found.numbers[0], found.numbers[1], render.request)) return;
   line.draft().renders.push_back(std::move(render));

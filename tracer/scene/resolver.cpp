@@ -130,16 +130,9 @@ void resolve_cameras(Draft& draft) {
   }
 }
 
-RenderRequest default_render(Draft& draft) {
-  RenderRequest request;
-  request.camera = draft.scene.cameras.front().name;
-  if (!draft.camera_resolution) {
-    if (!draft.has_render_line) {
-      draft.say(Severity::warning, {draft.last_line, 1},
-                "no render: camera '" + request.camera + "', image.ppm, 480 x 320 are taken");
-    }
-    return request;
-  }
+/// The size that stands behind a camera's numbers, if one does.
+void take_resolution(Draft& draft, RenderRequest& request) {
+  if (!draft.camera_resolution) return;
   const auto& [width, height, place] = *draft.camera_resolution;
   const auto is_side = [](double x) { return x >= 1 && x <= largest_side && x == std::floor(x); };
   if (is_side(width) && is_side(height) && width * height <= largest_pixel_count) {
@@ -150,12 +143,27 @@ RenderRequest default_render(Draft& draft) {
               "found a resolution that is no size of a picture, expected whole numbers of pixels from 1 to " +
                   std::to_string(largest_side));
   }
+}
+
+RenderRequest default_render(Draft& draft) {
+  RenderRequest request;
+  request.camera = draft.scene.cameras.front().name;
+  if (!draft.camera_resolution && !draft.has_render_line) {
+    draft.say(Severity::warning, {draft.last_line, 1},
+              "no render: camera '" + request.camera + "', image.ppm, 480 x 320 are taken");
+  }
+  take_resolution(draft, request);
   return request;
 }
 
 void resolve_renders(Draft& draft) {
   Scene& scene = draft.scene;
   for (Draft::RenderLine& line : draft.renders) {
+    if (!line.has_size) {
+      if (!draft.camera_resolution)
+        draft.say(Severity::warning, line.camera.place, "no size given: 480 x 320");
+      take_resolution(draft, line.request);
+    }
     if (!line.camera.name.empty()) {
       look_up(draft, draft.camera_names, line.camera, "camera",
               [&](std::size_t id) { line.request.camera = scene.cameras[id].name; });
