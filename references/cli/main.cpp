@@ -6,6 +6,7 @@
 
 #include "references/cli/commands.hpp"
 #include "references/cli/options.hpp"
+#include "references/cli/slips.hpp"
 
 namespace plumb::cli {
 namespace {
@@ -23,7 +24,9 @@ int run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? exit_agrees : exit_trouble;
+    const int code = app.exit(error);
+    if (code != 0 && !likely_slip(app).empty()) std::fprintf(stderr, "%s\n", likely_slip(app).c_str());
+    return code == 0 ? exit_agrees : exit_trouble;
   }
   for (const Command& command : commands) {
     if (command.app->parsed()) return command.run();

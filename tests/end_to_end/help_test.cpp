@@ -126,6 +126,13 @@ TEST(CommandLine, ASurplusArgumentIsNamed) {
   expect_trouble(run({"render", "a.sdf", "surplus"}), {"surplus", "--help"});
 }
 
+TEST(CommandLine, AMistypedCommandOrOptionGetsTheNearest) {
+  expect_trouble(run({"rendr", "a.sdf"}), {"rendr", "did you mean render?"});
+  expect_trouble(run({"render", "a.sdf", "--sise", "3x4"}), {"--sise", "did you mean --size?"});
+  expect_trouble(run({"render", "a.sdf", "--sise=3x4"}), {"did you mean --size?"});
+  EXPECT_EQ(run({"nonsense"}).err.find("did you mean"), std::string::npos);
+}
+
 TEST(CommandLine, AnOptionWithoutItsValueIsNamed) {
   expect_trouble(run({"verify", "a.sdf", "--json"}), {"--json"});
 }
