@@ -126,6 +126,18 @@ TEST_F(Lint, AGoodSceneGetsNoProposal) {
   EXPECT_TRUE(proposals(lint({"ball.sdf"}).out).empty());
 }
 
+TEST_F(Lint, WhatTheOrderOfTransformsDecidesIsSaid) {
+  const std::string ball = "define material m 1 0 0 1 0 0 1 1 1 20\ndefine shape sphere ball 0 0 -3 1 m\n";
+  file("turned.sdf", ball + "transform ball translate 1 0 0\ntransform ball rotate 90 0 0 1\n");
+  file("moved.sdf", ball + "transform ball translate 1 0 0\ntransform ball translate 0 2 0\n");
+  const std::string said = "where 'ball' stands depends on the order of its transforms";
+  EXPECT_NE(lint({"turned.sdf"}).out.find(said), std::string::npos);
+  EXPECT_EQ(lint({"turned.sdf", "--dialect", "pre"}).out.find(said), std::string::npos);
+  EXPECT_EQ(lint({"moved.sdf"}).out.find(said), std::string::npos);
+  EXPECT_EQ(lint_json({"turned.sdf"})["scenes"][0]["placed_by_order"], Json({"ball"}));
+  EXPECT_EQ(lint_json({"moved.sdf"})["scenes"][0]["placed_by_order"], Json::array());
+}
+
 TEST_F(Lint, NothingIsWritten) {
   file("people.sdf", as_people_write);
   lint({"people.sdf"});
