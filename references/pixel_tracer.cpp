@@ -9,10 +9,6 @@ namespace {
 constexpr double units_of_shading = 20;
 constexpr double units_of_shape = 50;
 
-double units_of(const Scene& scene, textbook::InstanceId instances) {
-  return (units_of_shading + static_cast<double>(instances)) * static_cast<double>(1 + scene.lights.size());
-}
-
 double rays_of(const RayNode& tree) {
   double rays = 1;
   for (const RayNode& child : tree.children) rays += rays_of(child);
@@ -24,6 +20,10 @@ Colour rounded(const Rgbd& c) {
 }
 
 }  // namespace
+
+double units_of_ray(const Scene& scene, textbook::InstanceId instances) {
+  return (units_of_shading + static_cast<double>(instances)) * static_cast<double>(1 + scene.lights.size());
+}
 
 RayLimit::RayLimit(double units_of_ray, Work& work)
     : units_of_ray_(units_of_ray), work_(&work), rays_(std::make_shared<std::size_t>(0)) {}
@@ -40,7 +40,7 @@ PixelTracer::PixelTracer(Scene scene, const AttributionJob& job, const RenderOpt
     : scene_(std::move(scene)),
       world_(scene_, formulas),
       work_(work),
-      units_of_ray_(units_of(scene_, world_.instances())),
+      units_of_ray_(units_of_ray(scene_, world_.instances())),
       limit_(units_of_ray_, work),
       tracer_(world_, job.camera, job.reference.width, job.reference.height, options, limit_),
       recording_(world_, job.camera, job.reference.width, job.reference.height, options, recorder_) {

@@ -17,14 +17,19 @@ using Colour = std::array<float, 3>;
 /// unit is a ray, or a shadow ray, against one sphere or box: 20 to 40 ns on a machine of 2023.
 class Work {
  public:
-  explicit Work(double most) : left_(most) {}
+  explicit Work(double most) : most_(most), left_(most) {}
 
   void spend(double units) { left_ -= units; }
   bool is_over() const { return left_ < 0; }
+  double spent() const { return most_ - left_; }
 
  private:
+  double most_;
   double left_;
 };
+
+/// What a ray costs, with those to the lights.
+double units_of_ray(const Scene& scene, textbook::InstanceId instances);
 
 /// Ends a pixel that has too many rays, and counts the work.
 class RayLimit : public textbook::NoObserver<double> {

@@ -32,8 +32,10 @@ void add_dialect(CLI::App& app, SceneOptions& options, bool describe) {
       ->type_name("NAME");
 }
 
-void add_scene_options(CLI::App& app, SceneOptions& options) {
-  app.add_option("--size", options.size, "size of the picture instead of the scene's own")->type_name("WxH");
+void add_scene_options(CLI::App& app, SceneOptions& options, bool has_size) {
+  if (has_size)
+    app.add_option("--size", options.size, "size of the picture instead of the scene's own")
+        ->type_name("WxH");
   app.add_option("--camera", options.camera, "camera instead of the scene's own")->type_name("NAME");
   app.add_option("--depth", options.depth,
                  "recursion depth D: trace(depth >= D) is black; the primary ray has depth 0")

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "references/faults/fault.hpp"
 #include "references/verify.hpp"
 #include "tracer/scene/dialect.hpp"
 #include "tracer/scene/render_options.hpp"
@@ -24,9 +25,14 @@ struct SceneOptions {
 };
 
 /// `describe` lists all dialects.
+/// The faults of these ids, joined by commas, in the order of the catalogue. Throws std::invalid_argument
+/// naming the one that is unknown.
+std::vector<const references::Fault*> faults_named(const std::string& ids);
+
 void add_dialect(CLI::App& app, SceneOptions& options, bool describe);
 /// --size --camera --depth --dialect --glass-shadow
-void add_scene_options(CLI::App& app, SceneOptions& options);
+/// `has_size`: whether --size is among them.
+void add_scene_options(CLI::App& app, SceneOptions& options, bool has_size = true);
 void add_real(CLI::App& app, SceneOptions& options);
 
 Dialect dialect_of(const SceneOptions& options);

@@ -7,9 +7,11 @@
 #include "references/cli/options.hpp"
 #include "references/cli/progress.hpp"
 #include "references/cli/render_statistics.hpp"
+#include "references/faults/fault.hpp"
 #include "references/render_to_file.hpp"
 #include "tracer/image/files.hpp"
 #include "tracer/image/format.hpp"
+#include "tracer/image/io.hpp"
 #include "tracer/scene/lexer.hpp"
 #include "tracer/scene/reader.hpp"
 
@@ -25,6 +27,7 @@ struct Options {
   std::string pattern;
   bool prints_statistics = false;
   std::string statistics_json;
+  std::string faults;
   SceneOptions common;
 };
 
@@ -92,6 +95,13 @@ int render(const Options& options) {
   job.pattern = pattern_of(options);
   Progress progress("rendering " + options.scene);
   job.progress = [&](double fraction) { progress.show(fraction); };
+  if (!options.faults.empty()) {
+    write_image(path, references::render_with(scene, view.camera, job, faults_named(options.faults)),
+                encoding);
+    progress.clear();
+    if (options.image.empty()) std::printf("%s\n", path.c_str());
+    return exit_agrees;
+  }
   const references::RenderedFile file = references::render_to_file(
       renderer_of(options.common), scene, view.camera, job, path, encoding, &statistics.counts);
   progress.clear();
@@ -134,6 +144,14 @@ Command add_render(CLI::App& plumb) {
       "print what was done on standard error: the kernel and why, rays by kind, times, bytes an object");
   app->add_option("--stats-json", options->statistics_json, "write that as JSON; - is standard output")
       ->type_name("FILE");
+  app->add_option(
+         "--fault", options->faults,
+         "render with mistakes of real tracers, by the textbook tracer in double: ids of plumb faults, "
+         "joined by commas")
+      ->type_name("ID")
+      ->excludes("--stats")
+      ->excludes("--stats-json")
+      ->excludes("--samples");
   add_real(*app, options->common);
   add_scene_options(*app, options->common);
   app->footer("Example: plumb render tests/scenes/phong.sdf -o phong.png --size 640x480");

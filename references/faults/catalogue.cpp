@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <iterator>
+#include <limits>
 
 #include "references/faults/areas.hpp"
 #include "tracer/textbook/rows.hpp"
@@ -18,6 +19,15 @@ std::vector<Fault> all_faults() {
   return all;
 }
 
+Subject subject_with(const Scene& scene, const Camera& camera, const textbook::RenderJob& job,
+                     const std::vector<const Fault*>& faults) {
+  Subject subject{scene, camera, job, {}};
+  for (const Fault* fault : faults) {
+    if (fault->apply != nullptr) fault->apply(subject);
+  }
+  return subject;
+}
+
 }  // namespace
 
 const std::vector<Fault>& fault_catalogue() {
@@ -31,12 +41,31 @@ const Fault* find_fault(std::string_view id) {
   return found == all.end() ? nullptr : &*found;
 }
 
+Image render_pixels_with(const Scene& scene, const Camera& camera, const textbook::RenderJob& job,
+                         const std::vector<const Fault*>& faults, const std::vector<PixelPlace>& pixels,
+                         Work& work) {
+  const Subject subject = subject_with(scene, camera, job, faults);
+  const textbook::World<double> world(subject.scene, subject.formulas);
+  const RayLimit limit(units_of_ray(subject.scene, world.instances()), work);
+  const textbook::Tracer<double, textbook::ReplaceableFormulas<double>, RayLimit> tracer(
+      world, subject.camera, job.width, job.height, subject.job.options, limit);
+  Image image(job.width, job.height);
+  for (const auto [x, y] : pixels) {
+    const Rgbd colour = tracer.raycast(x, y);
+    const bool is_cut = limit.take_is_cut();
+    for (int channel = 0; channel < 3; ++channel)
+      image.pixel(x, y)[channel] =
+          is_cut ? std::numeric_limits<float>::quiet_NaN() : static_cast<float>(colour[channel]);
+  }
+  for (const Fault* fault : faults) {
+    if (fault->after != nullptr) fault->after(image);
+  }
+  return image;
+}
+
 Image render_with(const Scene& scene, const Camera& camera, const textbook::RenderJob& job,
                   const std::vector<const Fault*>& faults) {
-  Subject subject{scene, camera, job, {}};
-  for (const Fault* fault : faults) {
-    if (fault->apply != nullptr) fault->apply(subject);
-  }
+  const Subject subject = subject_with(scene, camera, job, faults);
   const textbook::World<double> world(subject.scene, subject.formulas);
   const textbook::Tracer<double> tracer(world, subject.camera, subject.job.width, subject.job.height,
                                         subject.job.options);

@@ -4,6 +4,8 @@
 #include <string_view>
 #include <vector>
 
+#include "references/comparison.hpp"
+#include "references/pixel_tracer.hpp"
 #include "tracer/image/image.hpp"
 #include "tracer/scene/scene.hpp"
 #include "tracer/textbook/formula_table.hpp"
@@ -44,5 +46,12 @@ const Fault* find_fault(std::string_view id);
 /// A fault may give colours that are not finite.
 Image render_with(const Scene& scene, const Camera& camera, const textbook::RenderJob& job,
                   const std::vector<const Fault*>& faults);
+
+/// The same at these pixels alone; of the others the picture says nothing. Where a fault moves pixels
+/// (upside-down), those that they come from are to be among them. A pixel with more than
+/// `most_rays_of_pixel` rays is not a number. What it costs is taken from `work`.
+Image render_pixels_with(const Scene& scene, const Camera& camera, const textbook::RenderJob& job,
+                         const std::vector<const Fault*>& faults, const std::vector<PixelPlace>& pixels,
+                         Work& work);
 
 }  // namespace plumb::references

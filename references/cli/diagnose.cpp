@@ -1,0 +1,140 @@
+#include "references/diagnosis/diagnosis.hpp"
+
+#include <cstdio>
+#include <memory>
+
+#include "references/cli/commands.hpp"
+#include "references/cli/options.hpp"
+#include "references/cli/report.hpp"
+#include "tracer/image/io.hpp"
+#include "tracer/scene/reader.hpp"
+
+namespace plumb::cli {
+namespace {
+
+constexpr int exit_abstains = 3;
+
+struct Options {
+  std::string scene;
+  std::string image;
+  std::string json;
+  int hint = 3;
+  SceneOptions common;
+};
+
+std::string text_of(std::string_view view) { return std::string(view); }
+
+Json to_json(const references::FoundFault& found) {
+  return {{"id", found.fault->id},
+          {"catalogue", found.fault->catalogue},
+          {"title", found.fault->explanation},
+          {"slide", found.fault->slide},
+          {"confidence", found.confidence},
+          {"pixels", found.pixels}};
+}
+
+Json to_json(const Options& options, const references::Diagnosis& diagnosis) {
+  Json faults = Json::array();
+  Json ambiguous = Json::array();
+  for (const references::FoundFault& found : diagnosis.faults) {
+    faults.push_back(to_json(found));
+    for (const references::Fault* other : found.alike) ambiguous.push_back({found.fault->id, other->id});
+  }
+  return {{"tool", "plumb"},
+          {"version", PLUMB_VERSION},
+          {"scene", options.scene},
+          {"image", options.image},
+          {"verdict", to_string(diagnosis.verdict)},
+          {"faults", faults},
+          {"ambiguous", ambiguous},
+          {"encoding",
+           {{"tone_map", diagnosis.encoding.tone_map},
+            {"gamma", diagnosis.encoding.gamma()},
+            {"rounding", diagnosis.encoding.rounds ? "round" : "truncate"},
+            {"flipped", diagnosis.is_flipped}}},
+          {"remaining", {{"rms", diagnosis.rms}, {"pixels_over_2_255", diagnosis.pixels_over}}}};
+}
+
+/// 1 names the slide alone, 2 also what is wrong there, 3 the formula, too.
+void print(const references::FoundFault& found, int hint) {
+  const references::Fault& fault = *found.fault;
+  if (hint == 1) {
+    std::printf("  look at the slide \"%s\" (%zu pixels)\n", text_of(fault.slide).c_str(), found.pixels);
+    return;
+  }
+  std::printf("  %s (slide \"%s\"; confidence %.2f, %zu pixels)\n", text_of(fault.explanation).c_str(),
+              text_of(fault.slide).c_str(), found.confidence, found.pixels);
+  if (hint == 2) return;
+  std::printf("      id     %s\n      found  %s\n      right  %s\n", text_of(fault.id).c_str(),
+              text_of(fault.wrong).c_str(), text_of(fault.right).c_str());
+  for (const references::Fault* other : found.alike)
+    std::printf("      or     %s: it gives the same picture here; tests/scenes/%s tells them apart\n",
+                text_of(other->id).c_str(), text_of(other->shown_by).c_str());
+}
+
+void print(const Options& options, const references::Diagnosis& d) {
+  const double share = 100.0 * static_cast<double>(d.pixels_over) / static_cast<double>(d.pixels);
+  switch (d.verdict) {
+    case references::Verdict::right:
+      std::printf("%s: right (%s)", options.image.c_str(), d.encoding.in_words().c_str());
+      break;
+    case references::Verdict::faults:
+      std::printf("%s: %zu fault%s explain%s it (%s)\n", options.image.c_str(), d.faults.size(),
+                  d.faults.size() == 1 ? "" : "s", d.faults.size() == 1 ? "s" : "",
+                  d.encoding.in_words().c_str());
+      for (const references::FoundFault& found : d.faults) print(found, options.hint);
+      std::printf("remaining");
+      break;
+    case references::Verdict::unexplained:
+      std::printf("%s: no set of known faults explains it; is it a picture of this scene?\n",
+                  options.image.c_str());
+      std::printf("remaining");
+      break;
+  }
+  std::printf("%s: %zu pixels (%.2f %%) more than 2/255 away, RMS %.2g\n",
+              d.verdict == references::Verdict::right ? "" : " with the best of them", d.pixels_over, share,
+              d.rms);
+}
+
+int exit_code_of(references::Verdict verdict) {
+  if (verdict == references::Verdict::right) return exit_agrees;
+  return verdict == references::Verdict::faults ? exit_differs : exit_abstains;
+}
+
+int run_diagnose(const Options& options) {
+  const Scene scene = load_scene(options.scene, dialect_of(options.common), warn);
+  const ImageFile seen = read_image(options.image);
+  const View view = view_of(scene, options.common);
+  RenderJob job;
+  job.width = seen.width;
+  job.height = seen.height;
+  job.options = render_options_of(options.common);
+  const references::Diagnosis diagnosis = references::diagnose(scene, view.camera, job, seen);
+  if (options.json != "-") print(options, diagnosis);
+  if (!options.json.empty()) write_json(options.json, to_json(options, diagnosis));
+  return exit_code_of(diagnosis.verdict);
+}
+
+}  // namespace
+
+Command add_diagnose(CLI::App& plumb) {
+  CLI::App* app = plumb.add_subcommand(
+      "diagnose", "Find the mistakes in a ray tracer from the picture that it made of a scene.");
+  auto options = std::make_shared<Options>();
+  app->add_option("SCENE", options->scene, "scene file")->required();
+  app->add_option("IMAGE", options->image, "the picture that the tracer made of it; it sets the size")
+      ->required();
+  app->add_option("--hint", options->hint, "how much is told: 1 the slide, 2 the mistake, 3 the formula, too")
+      ->type_name("LEVEL")
+      ->check(CLI::Range(1, 3))
+      ->capture_default_str();
+  app->add_option("--json", options->json, "write the result as JSON; - is standard output")
+      ->type_name("FILE");
+  add_scene_options(*app, options->common, false);
+  app->footer(
+      "Example: plumb diagnose tests/scenes/phong.sdf phong.ppm\n"
+      "Exit codes: 0 the picture is right, 1 faults explain it, 2 trouble, 3 nothing explains it.");
+  return {app, [options] { return run_diagnose(*options); }};
+}
+
+}  // namespace plumb::cli

@@ -1,0 +1,123 @@
+#include "references/diagnosis/diagnosis.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "references/diagnosis/search.hpp"
+
+namespace plumb::references {
+namespace {
+
+/// because a level more or less is a matter of rounding, and truncation to float adds one
+constexpr float close = 2;
+/// because another scene's picture never has half of what is seen in place, and a tracer with one mistake
+/// that is not in the catalogue often has
+constexpr double enough = 0.6;
+/// because a right float picture has up to so many pixels across an edge
+constexpr double edges = 0.005;
+
+bool is_close(float difference) { return difference <= close; }
+
+/// The commonest colour of the picture, as the levels of its first pixel that has it.
+std::size_t a_pixel_of_the_background(const Evidence& evidence, std::size_t pixels) {
+  std::map<std::array<float, 3>, std::pair<std::size_t, std::size_t>> counts;  // how many, the first
+  for (std::size_t i = 0; i < pixels; ++i) {
+    const float* level = evidence.seen(i);
+    auto& [count, first] = counts.try_emplace({level[0], level[1], level[2]}, 0, i).first->second;
+    ++count;
+  }
+  return std::max_element(counts.begin(), counts.end(),
+                          [](const auto& a, const auto& b) { return a.second.first < b.second.first; })
+      ->second.second;
+}
+
+/// Of the pixels that are not background, or should not be, those that are right.
+double share_explained(const Evidence& evidence, const std::vector<float>& differences) {
+  const float* background = evidence.seen(a_pixel_of_the_background(evidence, differences.size()));
+  std::size_t shown = 0;
+  std::size_t right = 0;
+  for (std::size_t i = 0; i < differences.size(); ++i) {
+    if (std::equal(background, background + 3, evidence.seen(i)) && is_close(differences[i])) continue;
+    ++shown;
+    right += is_close(differences[i]) ? 1 : 0;
+  }
+  return shown == 0 ? 1 : static_cast<double>(right) / static_cast<double>(shown);
+}
+
+std::size_t over(const std::vector<float>& differences) {
+  return static_cast<std::size_t>(
+      std::count_if(differences.begin(), differences.end(), [](float d) { return !is_close(d); }));
+}
+
+void set_remaining(const std::vector<float>& differences, Diagnosis& diagnosis) {
+  double squares = 0;
+  for (const float d : differences) squares += double{d} * d;
+  diagnosis.pixels = differences.size();
+  diagnosis.pixels_over = over(differences);
+  diagnosis.rms = std::sqrt(squares / static_cast<double>(differences.size())) / 255;
+}
+
+FaultSet without(FaultSet set, std::size_t fault) {
+  set.erase(std::find(set.begin(), set.end(), fault));
+  return set;
+}
+
+std::vector<const Fault*> alike(const Evidence& evidence, const Fit& fit, std::size_t fault) {
+  std::vector<const Fault*> found;
+  const FaultSet rest = without(fit.set, fault);
+  for (std::size_t other = 0; other < fault_catalogue().size(); ++other) {
+    if (std::binary_search(fit.set.begin(), fit.set.end(), other)) continue;
+    FaultSet set = rest;
+    set.insert(std::lower_bound(set.begin(), set.end(), other), other);
+    if (evidence.are_alike(fit.set, set, fit.encoding)) found.push_back(&fault_catalogue()[other]);
+  }
+  return found;
+}
+
+FoundFault found_fault(const Evidence& evidence, const Fit& fit, std::size_t fault, double explained) {
+  FoundFault found{&fault_catalogue()[fault], 0, 0, alike(evidence, fit, fault)};
+  const std::vector<float> with = evidence.survey_differences(fit);
+  const std::vector<float> otherwise =
+      evidence.survey_differences({without(fit.set, fault), fit.encoding, 0});
+  std::size_t righted = 0;
+  for (std::size_t i = 0; i < with.size(); ++i)
+    righted += is_close(with[i]) && !is_close(otherwise[i]) ? 1 : 0;
+  found.pixels = righted * evidence.pixels_of_picture() / with.size();
+  found.confidence = explained / static_cast<double>(1 + found.alike.size());
+  return found;
+}
+
+}  // namespace
+
+const char* to_string(Verdict verdict) {
+  if (verdict == Verdict::right) return "right";
+  return verdict == Verdict::faults ? "faults" : "unexplained";
+}
+
+Diagnosis diagnose(const Scene& scene, const Camera& camera, const textbook::RenderJob& job,
+                   const ImageFile& seen) {
+  Evidence evidence(scene, camera, job, seen);
+  const Fit fit = explain(evidence);
+  const std::vector<float> differences = evidence.differences(fit);
+  Diagnosis diagnosis;
+  diagnosis.encoding = fit.encoding;
+  diagnosis.explained = share_explained(evidence, differences);
+  set_remaining(differences, diagnosis);
+  for (const std::size_t fault : fit.set) {
+    diagnosis.faults.push_back(found_fault(evidence, fit, fault, diagnosis.explained));
+    diagnosis.is_flipped |= fault_catalogue()[fault].id == "upside-down";
+  }
+  std::stable_sort(diagnosis.faults.begin(), diagnosis.faults.end(),
+                   [](const FoundFault& a, const FoundFault& b) { return a.pixels > b.pixels; });
+  const bool is_right =
+      static_cast<double>(diagnosis.pixels_over) <= edges * static_cast<double>(seen.width) * seen.height;
+  if (fit.set.empty())
+    diagnosis.verdict = is_right ? Verdict::right : Verdict::unexplained;
+  else
+    diagnosis.verdict = diagnosis.explained >= enough ? Verdict::faults : Verdict::unexplained;
+  return diagnosis;
+}
+
+}  // namespace plumb::references

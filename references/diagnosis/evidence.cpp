@@ -1,0 +1,144 @@
+#include "references/diagnosis/evidence.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace plumb::references {
+namespace {
+
+constexpr float levels = 255;
+constexpr double most_units_of_survey = 2e7;  // half a second
+
+/// The largest difference of the three channels, in levels. What is no number on both sides agrees.
+float difference(const float* colour, const float* seen, const OutputEncoding& encoding) {
+  float largest = 0;
+  for (int channel = 0; channel < 3; ++channel) {
+    const float level = encoding.level(colour[encoding.is_bgr ? 2 - channel : channel]);
+    largest = std::max(largest, std::abs(level - seen[channel]));
+  }
+  return std::isfinite(largest) ? largest : levels;
+}
+
+}  // namespace
+
+std::vector<const Fault*> faults_of(const FaultSet& set) {
+  std::vector<const Fault*> faults;
+  for (const std::size_t index : set) faults.push_back(&fault_catalogue()[index]);
+  return faults;
+}
+
+std::vector<PixelPlace> spread(int width, int height, std::size_t count) {
+  constexpr double g = 1.32471795724474602596;
+  std::vector<PixelPlace> places;
+  double x = 0.5;
+  double y = 0.5;
+  for (std::size_t i = 0; i < count; ++i) {
+    x += 1 / g;
+    y += 1 / (g * g);
+    x -= static_cast<int>(x);
+    y -= static_cast<int>(y);
+    places.push_back({static_cast<int>(x * width), static_cast<int>(y * height)});
+  }
+  return places;
+}
+
+Evidence::Evidence(const Scene& scene, const Camera& camera, const textbook::RenderJob& job,
+                   const ImageFile& seen)
+    : scene_(scene), camera_(camera), job_(job), encodings_(encodings_of(seen.sample)) {
+  const auto pixels = static_cast<std::size_t>(seen.width) * static_cast<std::size_t>(seen.height);
+  const auto channels = static_cast<std::size_t>(seen.channels);
+  seen_.resize(3 * pixels);
+  for (std::size_t i = 0; i < pixels; ++i) {
+    for (std::size_t c = 0; c < 3; ++c)
+      seen_[3 * i + c] = levels * seen.values[channels * i + (channels < 3 ? 0 : c)];
+  }
+  if (seen.sample == Sample::bits8)
+    for (float& level : seen_) level = std::round(level);
+  const std::vector<PixelPlace> probe = spread(job_.width, job_.height, 200);
+  Work work(0);
+  render_pixels_with(scene_, camera_, job_, {}, probe, work);
+  units_of_pixel_ = work.spent() / static_cast<double>(probe.size());
+  survey_ = spread(job_.width, job_.height,
+                   static_cast<std::size_t>(std::clamp(most_units_of_survey / units_of_pixel_, 2000.0,
+                                                       static_cast<double>(pixels))));
+}
+
+void Evidence::look_at(const std::vector<PixelPlace>& pixels) { places_ = pixels; }
+
+std::size_t Evidence::index_of(const PixelPlace& place) const {
+  return static_cast<std::size_t>(place.y) * static_cast<std::size_t>(job_.width) +
+         static_cast<std::size_t>(place.x);
+}
+
+std::vector<PixelPlace> Evidence::first(std::size_t most) const {
+  return {places_.begin(), places_.begin() + static_cast<std::ptrdiff_t>(std::min(most, places_.size()))};
+}
+
+std::vector<float> Evidence::colours(const FaultSet& set, const std::vector<PixelPlace>& places) const {
+  std::vector<PixelPlace> traced = places;
+  const auto faults = faults_of(set);
+  const bool moves = std::any_of(faults.begin(), faults.end(), [](const Fault* f) { return f->after; });
+  for (std::size_t i = 0; moves && i < places.size(); ++i) {
+    const auto [x, y] = places[i];
+    traced.push_back({job_.width - 1 - x, y});
+    traced.push_back({x, job_.height - 1 - y});
+    traced.push_back({job_.width - 1 - x, job_.height - 1 - y});
+  }
+  std::vector<float> colours(3 * places.size(), std::numeric_limits<float>::infinity());
+  try {
+    Work unlimited(std::numeric_limits<double>::infinity());
+    const Image image = render_pixels_with(scene_, camera_, job_, faults, traced, unlimited);
+    for (std::size_t i = 0; i < places.size(); ++i)
+      std::copy_n(image.pixel(places[i].x, places[i].y), 3, &colours[3 * i]);
+  } catch (const std::runtime_error&) {
+    // A fault may make a scene that cannot be traced: it explains nothing.
+  }
+  return colours;
+}
+
+double Evidence::misfit(const std::vector<float>& colours, const OutputEncoding& encoding) const {
+  double sum = 0;
+  const std::size_t count = colours.size() / 3;
+  for (std::size_t i = 0; i < count; ++i) {
+    sum += std::log1p(difference(&colours[3 * i], seen(index_of(places_[i])), encoding));
+  }
+  return count == 0 ? 0 : sum / static_cast<double>(count);
+}
+
+Fit Evidence::fit(const FaultSet& set, std::size_t most) const {
+  const std::vector<float> traced = colours(set, first(most));
+  Fit best{set, encodings_.front(), std::numeric_limits<double>::infinity()};
+  for (const OutputEncoding& encoding : encodings_) {
+    const double misfit = this->misfit(traced, encoding);
+    if (misfit < best.misfit) best = {set, encoding, misfit};
+  }
+  return best;
+}
+
+bool Evidence::are_alike(const FaultSet& a, const FaultSet& b, const OutputEncoding& encoding) const {
+  const std::vector<float> x = colours(a, places_);
+  const std::vector<float> y = colours(b, places_);
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (encoding.level(x[i]) != encoding.level(y[i])) return false;
+  }
+  return true;
+}
+
+std::vector<float> Evidence::survey_differences(const Fit& fit) const {
+  const std::vector<float> traced = colours(fit.set, survey_);
+  std::vector<float> all(survey_.size());
+  for (std::size_t i = 0; i < all.size(); ++i)
+    all[i] = difference(&traced[3 * i], seen(index_of(survey_[i])), fit.encoding);
+  return all;
+}
+
+std::vector<float> Evidence::differences(const Fit& fit) const {
+  const Image image = render_with(scene_, camera_, job_, faults_of(fit.set));
+  std::vector<float> all(seen_.size() / 3);
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = difference(&image.rgb[3 * i], seen(i), fit.encoding);
+  return all;
+}
+
+}  // namespace plumb::references

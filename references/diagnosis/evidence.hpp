@@ -1,0 +1,76 @@
+// The picture that is to be explained, and how well a set of faults explains it.
+#pragma once
+
+#include <vector>
+
+#include "references/diagnosis/output_encoding.hpp"
+#include "references/faults/fault.hpp"
+#include "tracer/image/image_file.hpp"
+
+namespace plumb::references {
+
+/// Faults as indices into the catalogue, in its order, each once.
+using FaultSet = std::vector<std::size_t>;
+
+std::vector<const Fault*> faults_of(const FaultSet& set);
+
+/// How far a picture is from the one that a set of faults gives.
+struct Fit {
+  FaultSet set;
+  OutputEncoding encoding;
+  /// Mean of ln(1 + d) over the pixels looked at, d the largest difference of a pixel in levels of 8 bits: it
+  /// asks how many pixels are right before it asks how wrong the others are.
+  double misfit = 0;
+};
+
+/// In this order any first part of them lies evenly over the picture (Weyl's sequence by the plastic number,
+/// Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences", 2018). Some may come twice.
+std::vector<PixelPlace> spread(int width, int height, std::size_t count);
+
+class Evidence {
+ public:
+  /// All must outlive it. The job's size is the picture's.
+  Evidence(const Scene& scene, const Camera& camera, const textbook::RenderJob& job, const ImageFile& seen);
+
+  /// Units of Work that a pixel of the right picture costs on average.
+  double units_of_pixel() const { return units_of_pixel_; }
+  /// The pixels that count from now on.
+  void look_at(const std::vector<PixelPlace>& pixels);
+  std::size_t pixels() const { return places_.size(); }
+
+  /// At the first `most` of the pixels, with the best encoding. A set that cannot be traced fits worst.
+  Fit fit(const FaultSet& set, std::size_t most) const;
+  /// Whether two sets give the same levels at all pixels looked at.
+  bool are_alike(const FaultSet& a, const FaultSet& b, const OutputEncoding& encoding) const;
+
+  /// Places spread evenly over the picture: all, where that costs little.
+  const std::vector<PixelPlace>& survey() const { return survey_; }
+  /// Largest difference at each place of the survey, in levels.
+  std::vector<float> survey_differences(const Fit& fit) const;
+  /// Largest difference of each pixel of the picture, in levels, row by row.
+  std::vector<float> differences(const Fit& fit) const;
+
+  std::size_t pixels_of_picture() const { return seen_.size() / 3; }
+  int width() const { return job_.width; }
+  int height() const { return job_.height; }
+  const std::vector<OutputEncoding>& encodings() const { return encodings_; }
+  /// The levels that the picture has at a pixel.
+  const float* seen(std::size_t pixel) const { return &seen_[3 * pixel]; }
+
+ private:
+  std::vector<float> colours(const FaultSet& set, const std::vector<PixelPlace>& places) const;
+  std::vector<PixelPlace> first(std::size_t most) const;
+  std::size_t index_of(const PixelPlace& place) const;
+  double misfit(const std::vector<float>& colours, const OutputEncoding& encoding) const;
+
+  const Scene& scene_;
+  const Camera& camera_;
+  textbook::RenderJob job_;
+  std::vector<float> seen_;  // in levels
+  std::vector<OutputEncoding> encodings_;
+  std::vector<PixelPlace> places_;
+  double units_of_pixel_;
+  std::vector<PixelPlace> survey_;
+};
+
+}  // namespace plumb::references

@@ -1,0 +1,148 @@
+#include "references/diagnosis/search.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <set>
+
+namespace plumb::references {
+namespace {
+
+constexpr std::size_t beam_width = 4;
+constexpr std::size_t most_faults = 7;
+constexpr std::size_t screened = 14;  // of the first look, that are looked at with all pixels
+constexpr double most_units = 1.2e8;  // of Work: some 4 s
+constexpr double looks = 300;         // at all even pixels, in a search for two or three faults
+
+/// How many of the tracers that were read have the fault.
+int count_of(const Fault& fault) { return std::max(0, std::atoi(fault.how_common.data())); }
+
+class Search {
+ public:
+  explicit Search(Evidence& evidence)
+      : evidence_(evidence),
+        even_(static_cast<std::size_t>(
+            std::clamp(most_units / (looks * evidence.units_of_pixel()), 150.0, 1500.0))) {}
+
+  Fit best() {
+    std::vector<Fit> beam{{}};
+    look_again(beam);
+    while (beam.front().set.size() < most_faults) {
+      std::vector<Fit> next = expanded(beam);
+      if (next.empty() || next.front().misfit >= beam.front().misfit - gain_of(next.front(), beam.front()))
+        break;
+      beam = std::move(next);
+      look_again(beam);
+      if (beam.front().misfit == 0) break;
+    }
+    return refined(beam.front());
+  }
+
+ private:
+  /// Even pixels, and as many of those that the best does not explain.
+  void look_again(std::vector<Fit>& beam) {
+    std::vector<PixelPlace> places = spread(evidence_.width(), evidence_.height(), even_);
+    evidence_.look_at(places);
+    Fit best = evidence_.fit(beam.front().set, places.size());
+    const std::vector<float> differences = evidence_.survey_differences(best);
+    std::vector<PixelPlace> open;
+    for (std::size_t i = 0; i < differences.size(); ++i) {
+      if (differences[i] > 1) open.push_back(evidence_.survey()[i]);
+    }
+    const std::size_t wanted = std::min(open.size(), even_ / 2);
+    // Turn about, so that the first part of the places has both.
+    std::vector<PixelPlace> mixed;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      mixed.push_back(places[i]);
+      if (i % 2 == 0 && i / 2 < wanted) mixed.push_back(open[i / 2 * open.size() / wanted]);
+    }
+    evidence_.look_at(mixed);
+    for (Fit& fit : beam) fit = evidence_.fit(fit.set, evidence_.pixels());
+    sort(beam);
+  }
+
+  double gain_of(const Fit& with, const Fit& without) const {
+    double gain = 0;
+    for (const std::size_t fault : with.set) {
+      if (!std::binary_search(without.set.begin(), without.set.end(), fault))
+        gain += least_gain(fault_catalogue()[fault], without.misfit);
+    }
+    return gain;
+  }
+
+  /// Misfit and what the faults cost, by which sets of different sizes are compared.
+  static double cost(const Fit& fit) {
+    double cost = fit.misfit;
+    for (const std::size_t fault : fit.set) cost += least_gain(fault_catalogue()[fault], 0);
+    return cost;
+  }
+  static void sort(std::vector<Fit>& fits) {
+    std::stable_sort(fits.begin(), fits.end(), [](const Fit& a, const Fit& b) { return cost(a) < cost(b); });
+  }
+
+  static FaultSet with(FaultSet set, std::size_t fault) {
+    set.insert(std::lower_bound(set.begin(), set.end(), fault), fault);
+    return set;
+  }
+
+  /// All sets with one fault more, the best few of them.
+  std::vector<Fit> expanded(const std::vector<Fit>& beam) const {
+    std::set<FaultSet> tried;
+    std::vector<FaultSet> sets;
+    for (const Fit& fit : beam) {
+      for (std::size_t fault = 0; fault < fault_catalogue().size(); ++fault) {
+        if (std::binary_search(fit.set.begin(), fit.set.end(), fault)) continue;
+        if (tried.insert(with(fit.set, fault)).second) sets.push_back(with(fit.set, fault));
+      }
+    }
+    return best_of(sets);
+  }
+
+  std::vector<Fit> best_of(const std::vector<FaultSet>& sets) const {
+    std::vector<Fit> fits;
+    for (const FaultSet& set : sets) fits.push_back(evidence_.fit(set, evidence_.pixels() / 5));
+    sort(fits);
+    fits.resize(std::min(fits.size(), screened));
+    for (Fit& fit : fits) fit = evidence_.fit(fit.set, evidence_.pixels());
+    sort(fits);
+    fits.resize(std::min(fits.size(), beam_width));
+    return fits;
+  }
+
+  /// Takes out what is not needed, and exchanges what another fault does better.
+  Fit refined(Fit best) const {
+    for (bool improves = true; improves;) {
+      improves = false;
+      std::vector<FaultSet> sets;
+      for (std::size_t i = 0; i < best.set.size(); ++i) {
+        FaultSet without = best.set;
+        without.erase(without.begin() + static_cast<std::ptrdiff_t>(i));
+        sets.push_back(without);
+        for (std::size_t fault = 0; fault < fault_catalogue().size(); ++fault) {
+          if (!std::binary_search(best.set.begin(), best.set.end(), fault))
+            sets.push_back(with(without, fault));
+        }
+      }
+      const std::vector<Fit> fits = best_of(sets);
+      if (!fits.empty() && cost(fits.front()) < cost(best)) {
+        best = fits.front();
+        improves = true;
+      }
+    }
+    return best;
+  }
+
+  Evidence& evidence_;
+  std::size_t even_;
+};
+
+}  // namespace
+
+double least_gain(const Fault& fault, double before) {
+  // because float and double disagree by one level in some pixels of a thousand, ln 2 each; a rare fault
+  // needs more evidence than one that most tracers have
+  return 0.001 + 0.002 / (1 + count_of(fault)) + 0.01 * before;
+}
+
+Fit explain(Evidence& evidence) { return Search(evidence).best(); }
+
+}  // namespace plumb::references
