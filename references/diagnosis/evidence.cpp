@@ -10,6 +10,7 @@ namespace {
 
 constexpr float levels = 255;
 constexpr double most_units_of_survey = 2e7;  // half a second
+constexpr double most_units_in_all = 1.5e8;   // 5 s
 
 /// The largest difference of the three channels, in levels. What is no number on both sides agrees.
 float difference(const float* colour, const float* seen, const OutputEncoding& encoding) {
@@ -46,7 +47,11 @@ std::vector<PixelPlace> spread(int width, int height, std::size_t count) {
 
 Evidence::Evidence(const Scene& scene, const Camera& camera, const textbook::RenderJob& job,
                    const ImageFile& seen)
-    : scene_(scene), camera_(camera), job_(job), encodings_(encodings_of(seen.sample)) {
+    : scene_(scene),
+      camera_(camera),
+      job_(job),
+      encodings_(encodings_of(seen.sample)),
+      work_(most_units_in_all) {
   const auto pixels = static_cast<std::size_t>(seen.width) * static_cast<std::size_t>(seen.height);
   const auto channels = static_cast<std::size_t>(seen.channels);
   seen_.resize(3 * pixels);
@@ -58,7 +63,7 @@ Evidence::Evidence(const Scene& scene, const Camera& camera, const textbook::Ren
     for (float& level : seen_) level = std::round(level);
   const std::vector<PixelPlace> probe = spread(job_.width, job_.height, 200);
   Work work(0);
-  render_pixels_with(scene_, camera_, job_, {}, probe, work);
+  colours_with(scene_, camera_, job_, {}, probe, work);
   units_of_pixel_ = work.spent() / static_cast<double>(probe.size());
   survey_ = spread(job_.width, job_.height,
                    static_cast<std::size_t>(std::clamp(most_units_of_survey / units_of_pixel_, 2000.0,
@@ -77,25 +82,12 @@ std::vector<PixelPlace> Evidence::first(std::size_t most) const {
 }
 
 std::vector<float> Evidence::colours(const FaultSet& set, const std::vector<PixelPlace>& places) const {
-  std::vector<PixelPlace> traced = places;
-  const auto faults = faults_of(set);
-  const bool moves = std::any_of(faults.begin(), faults.end(), [](const Fault* f) { return f->after; });
-  for (std::size_t i = 0; moves && i < places.size(); ++i) {
-    const auto [x, y] = places[i];
-    traced.push_back({job_.width - 1 - x, y});
-    traced.push_back({x, job_.height - 1 - y});
-    traced.push_back({job_.width - 1 - x, job_.height - 1 - y});
-  }
-  std::vector<float> colours(3 * places.size(), std::numeric_limits<float>::infinity());
   try {
-    Work unlimited(std::numeric_limits<double>::infinity());
-    const Image image = render_pixels_with(scene_, camera_, job_, faults, traced, unlimited);
-    for (std::size_t i = 0; i < places.size(); ++i)
-      std::copy_n(image.pixel(places[i].x, places[i].y), 3, &colours[3 * i]);
+    return colours_with(scene_, camera_, job_, faults_of(set), places, work_);
   } catch (const std::runtime_error&) {
     // A fault may make a scene that cannot be traced: it explains nothing.
+    return std::vector<float>(3 * places.size(), std::numeric_limits<float>::infinity());
   }
-  return colours;
 }
 
 double Evidence::misfit(const std::vector<float>& colours, const OutputEncoding& encoding) const {
@@ -117,13 +109,18 @@ Fit Evidence::fit(const FaultSet& set, std::size_t most) const {
   return best;
 }
 
-bool Evidence::are_alike(const FaultSet& a, const FaultSet& b, const OutputEncoding& encoding) const {
-  const std::vector<float> x = colours(a, places_);
-  const std::vector<float> y = colours(b, places_);
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    if (encoding.level(x[i]) != encoding.level(y[i])) return false;
+std::vector<FaultSet> Evidence::alike(const Fit& fit, const std::vector<FaultSet>& sets) const {
+  const std::vector<float> known = colours(fit.set, places_);
+  const auto agrees = [&](const FaultSet& set, std::size_t most) {
+    const std::vector<float> other = colours(set, first(most));
+    return std::equal(other.begin(), other.end(), known.begin(),
+                      [&](float a, float b) { return fit.encoding.level(a) == fit.encoding.level(b); });
+  };
+  std::vector<FaultSet> found;
+  for (const FaultSet& set : sets) {
+    if (agrees(set, places_.size() / 20) && agrees(set, places_.size())) found.push_back(set);
   }
-  return true;
+  return found;
 }
 
 std::vector<float> Evidence::survey_differences(const Fit& fit) const {

@@ -32,6 +32,8 @@ class Evidence {
   /// All must outlive it. The job's size is the picture's.
   Evidence(const Scene& scene, const Camera& camera, const textbook::RenderJob& job, const ImageFile& seen);
 
+  /// Whether the search has to end: what it may trace is traced.
+  bool is_over() const { return work_.is_over(); }
   /// Units of Work that a pixel of the right picture costs on average.
   double units_of_pixel() const { return units_of_pixel_; }
   /// The pixels that count from now on.
@@ -40,8 +42,8 @@ class Evidence {
 
   /// At the first `most` of the pixels, with the best encoding. A set that cannot be traced fits worst.
   Fit fit(const FaultSet& set, std::size_t most) const;
-  /// Whether two sets give the same levels at all pixels looked at.
-  bool are_alike(const FaultSet& a, const FaultSet& b, const OutputEncoding& encoding) const;
+  /// Those of the sets that give the same levels as a fit at all pixels looked at.
+  std::vector<FaultSet> alike(const Fit& fit, const std::vector<FaultSet>& sets) const;
 
   /// Places spread evenly over the picture: all, where that costs little.
   const std::vector<PixelPlace>& survey() const { return survey_; }
@@ -69,6 +71,7 @@ class Evidence {
   std::vector<float> seen_;  // in levels
   std::vector<OutputEncoding> encodings_;
   std::vector<PixelPlace> places_;
+  mutable Work work_;
   double units_of_pixel_;
   std::vector<PixelPlace> survey_;
 };

@@ -8,10 +8,14 @@ namespace plumb::references {
 namespace {
 
 constexpr std::size_t beam_width = 4;
+constexpr std::size_t first_beam_width = 10;  // because of several faults each alone explains little
 constexpr std::size_t most_faults = 7;
 constexpr std::size_t screened = 14;  // of the first look, that are looked at with all pixels
-constexpr double most_units = 1.2e8;  // of Work: some 4 s
-constexpr double looks = 300;         // at all even pixels, in a search for two or three faults
+constexpr std::size_t glance = 40;    // pixels, at pairs of faults
+constexpr double most_units = 8e7;    // of Work: some 3 s
+constexpr double nothing_left =
+    0.005;                     // because float and double disagree by a level in some of a thousand pixels
+constexpr double looks = 450;  // at all even pixels, in a search for two or three faults
 
 /// How many of the tracers that were read have the fault.
 int count_of(const Fault& fault) { return std::max(0, std::atoi(fault.how_common.data())); }
@@ -26,15 +30,19 @@ class Search {
   Fit best() {
     std::vector<Fit> beam{{}};
     look_again(beam);
-    while (beam.front().set.size() < most_faults) {
+    Fit best = beam.front();
+    // Of two faults that spoil the same pixels neither alone need bring a gain: one more level is tried.
+    for (int patience = 2; patience > 0 && !evidence_.is_over() && best.misfit > nothing_left &&
+                           beam.front().set.size() < most_faults;) {
       std::vector<Fit> next = expanded(beam);
-      if (next.empty() || next.front().misfit >= beam.front().misfit - gain_of(next.front(), beam.front()))
-        break;
+      if (next.empty()) break;
       beam = std::move(next);
+      const bool gains = beam.front().misfit < best.misfit - gain_of(beam.front(), best);
       look_again(beam);
-      if (beam.front().misfit == 0) break;
+      patience = gains ? 2 : patience - 1;
+      best = gains ? beam.front() : evidence_.fit(best.set, evidence_.pixels());
     }
-    return refined(beam.front());
+    return refined(best);
   }
 
  private:
@@ -84,33 +92,57 @@ class Search {
     return set;
   }
 
-  /// All sets with one fault more, the best few of them.
+  /// All sets with one fault more, the best few of them. Only those that change the best set are added to the
+  /// others.
   std::vector<Fit> expanded(const std::vector<Fit>& beam) const {
+    std::vector<bool> has_effect(fault_catalogue().size(), true);
     std::set<FaultSet> tried;
-    std::vector<FaultSet> sets;
+    std::vector<Fit> fits;
     for (const Fit& fit : beam) {
+      if (evidence_.is_over()) break;
+      const bool is_first = &fit == &beam.front();
+      const double before = is_first ? evidence_.fit(fit.set, first_look()).misfit : 0;
       for (std::size_t fault = 0; fault < fault_catalogue().size(); ++fault) {
-        if (std::binary_search(fit.set.begin(), fit.set.end(), fault)) continue;
-        if (tried.insert(with(fit.set, fault)).second) sets.push_back(with(fit.set, fault));
+        if (!has_effect[fault] || std::binary_search(fit.set.begin(), fit.set.end(), fault)) continue;
+        if (!tried.insert(with(fit.set, fault)).second) continue;
+        fits.push_back(evidence_.fit(with(fit.set, fault), first_look()));
+        if (is_first) has_effect[fault] = fits.back().misfit != before;
       }
     }
-    return best_of(sets);
+    if (!beam.front().set.empty()) return best_of(std::move(fits), beam_width);
+    add_pairs(has_effect, fits);
+    return best_of(std::move(fits), first_beam_width);
   }
 
-  std::vector<Fit> best_of(const std::vector<FaultSet>& sets) const {
-    std::vector<Fit> fits;
-    for (const FaultSet& set : sets) fits.push_back(evidence_.fit(set, evidence_.pixels() / 5));
+  /// The most promising pairs of faults: of two that hide each other, as of brightness and of ambient light,
+  /// each alone makes it worse.
+  void add_pairs(const std::vector<bool>& has_effect, std::vector<Fit>& fits) const {
+    std::vector<Fit> pairs;
+    for (std::size_t a = 0; a < has_effect.size(); ++a) {
+      for (std::size_t b = a + 1; has_effect[a] && b < has_effect.size(); ++b) {
+        if (has_effect[b]) pairs.push_back(evidence_.fit({a, b}, glance));
+      }
+    }
+    sort(pairs);
+    pairs.resize(std::min(pairs.size(), screened));
+    for (const Fit& pair : pairs) fits.push_back(evidence_.fit(pair.set, first_look()));
+  }
+
+  std::size_t first_look() const { return evidence_.pixels() / 5; }
+
+  /// Of fits to the pixels of the first look.
+  std::vector<Fit> best_of(std::vector<Fit> fits, std::size_t most) const {
     sort(fits);
     fits.resize(std::min(fits.size(), screened));
     for (Fit& fit : fits) fit = evidence_.fit(fit.set, evidence_.pixels());
     sort(fits);
-    fits.resize(std::min(fits.size(), beam_width));
+    fits.resize(std::min(fits.size(), most));
     return fits;
   }
 
   /// Takes out what is not needed, and exchanges what another fault does better.
   Fit refined(Fit best) const {
-    for (bool improves = true; improves;) {
+    for (bool improves = true; improves && !evidence_.is_over();) {
       improves = false;
       std::vector<FaultSet> sets;
       for (std::size_t i = 0; i < best.set.size(); ++i) {
@@ -122,7 +154,9 @@ class Search {
             sets.push_back(with(without, fault));
         }
       }
-      const std::vector<Fit> fits = best_of(sets);
+      std::vector<Fit> fits;
+      for (const FaultSet& set : sets) fits.push_back(evidence_.fit(set, first_look()));
+      fits = best_of(std::move(fits), 1);
       if (!fits.empty() && cost(fits.front()) < cost(best)) {
         best = fits.front();
         improves = true;

@@ -28,6 +28,14 @@ Subject subject_with(const Scene& scene, const Camera& camera, const textbook::R
   return subject;
 }
 
+void do_after(const std::vector<const Fault*>& faults, Image& image) {
+  for (const Fault* fault : faults) {
+    if (fault->after != nullptr) fault->after(image);
+  }
+}
+
+using LimitedTracer = textbook::Tracer<double, textbook::ReplaceableFormulas<double>, RayLimit>;
+
 }  // namespace
 
 const std::vector<Fault>& fault_catalogue() {
@@ -41,26 +49,36 @@ const Fault* find_fault(std::string_view id) {
   return found == all.end() ? nullptr : &*found;
 }
 
-Image render_pixels_with(const Scene& scene, const Camera& camera, const textbook::RenderJob& job,
-                         const std::vector<const Fault*>& faults, const std::vector<PixelPlace>& pixels,
-                         Work& work) {
+std::vector<float> colours_with(const Scene& scene, const Camera& camera, const textbook::RenderJob& job,
+                                const std::vector<const Fault*>& faults,
+                                const std::vector<PixelPlace>& places, Work& work) {
   const Subject subject = subject_with(scene, camera, job, faults);
   const textbook::World<double> world(subject.scene, subject.formulas);
   const RayLimit limit(units_of_ray(subject.scene, world.instances()), work);
-  const textbook::Tracer<double, textbook::ReplaceableFormulas<double>, RayLimit> tracer(
-      world, subject.camera, job.width, job.height, subject.job.options, limit);
-  Image image(job.width, job.height);
-  for (const auto [x, y] : pixels) {
-    const Rgbd colour = tracer.raycast(x, y);
+  const LimitedTracer tracer(world, subject.camera, job.width, job.height, subject.job.options, limit);
+  const auto trace = [&](const PixelPlace& place, float* to) {
+    const Rgbd colour = tracer.raycast(place.x, place.y);
     const bool is_cut = limit.take_is_cut();
     for (int channel = 0; channel < 3; ++channel)
-      image.pixel(x, y)[channel] =
-          is_cut ? std::numeric_limits<float>::quiet_NaN() : static_cast<float>(colour[channel]);
+      to[channel] = is_cut ? std::numeric_limits<float>::quiet_NaN() : static_cast<float>(colour[channel]);
+  };
+  std::vector<float> colours(3 * places.size());
+  if (std::ranges::all_of(faults, [](const Fault* fault) { return fault->after == nullptr; })) {
+    for (std::size_t i = 0; i < places.size(); ++i) trace(places[i], &colours[3 * i]);
+    return colours;
   }
-  for (const Fault* fault : faults) {
-    if (fault->after != nullptr) fault->after(image);
+  // What is done to a picture may move pixels: those that they may come from are traced, too.
+  Image image(job.width, job.height);
+  for (const auto& [x, y] : places) {
+    for (const PixelPlace from :
+         {PixelPlace{x, y}, PixelPlace{job.width - 1 - x, y}, PixelPlace{x, job.height - 1 - y},
+          PixelPlace{job.width - 1 - x, job.height - 1 - y}})
+      trace(from, image.pixel(from.x, from.y));
   }
-  return image;
+  do_after(faults, image);
+  for (std::size_t i = 0; i < places.size(); ++i)
+    std::copy_n(image.pixel(places[i].x, places[i].y), 3, &colours[3 * i]);
+  return colours;
 }
 
 Image render_with(const Scene& scene, const Camera& camera, const textbook::RenderJob& job,
@@ -70,9 +88,7 @@ Image render_with(const Scene& scene, const Camera& camera, const textbook::Rend
   const textbook::Tracer<double> tracer(world, subject.camera, subject.job.width, subject.job.height,
                                         subject.job.options);
   Image image = textbook::render_rows(tracer, subject.job);
-  for (const Fault* fault : faults) {
-    if (fault->after != nullptr) fault->after(image);
-  }
+  do_after(faults, image);
   return image;
 }
 

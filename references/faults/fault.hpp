@@ -47,11 +47,10 @@ const Fault* find_fault(std::string_view id);
 Image render_with(const Scene& scene, const Camera& camera, const textbook::RenderJob& job,
                   const std::vector<const Fault*>& faults);
 
-/// The same at these pixels alone; of the others the picture says nothing. Where a fault moves pixels
-/// (upside-down), those that they come from are to be among them. A pixel with more than
-/// `most_rays_of_pixel` rays is not a number. What it costs is taken from `work`.
-Image render_pixels_with(const Scene& scene, const Camera& camera, const textbook::RenderJob& job,
-                         const std::vector<const Fault*>& faults, const std::vector<PixelPlace>& pixels,
-                         Work& work);
+/// The same at these pixels alone: r g b of each, interleaved. A pixel with more than `most_rays_of_pixel`
+/// rays is not a number. What it costs is taken from `work`.
+std::vector<float> colours_with(const Scene& scene, const Camera& camera, const textbook::RenderJob& job,
+                                const std::vector<const Fault*>& faults,
+                                const std::vector<PixelPlace>& places, Work& work);
 
 }  // namespace plumb::references
