@@ -40,6 +40,9 @@ class Evidence {
   void look_at(const std::vector<PixelPlace>& pixels);
   std::size_t pixels() const { return places_.size(); }
 
+  /// Linear r g b at these pixels, interleaved; not finite where the set cannot be traced.
+  std::vector<float> colours(const FaultSet& set, const std::vector<PixelPlace>& places) const;
+
   /// At the first `most` of the pixels, with the best encoding. A set that cannot be traced fits worst.
   Fit fit(const FaultSet& set, std::size_t most) const;
   /// Those of the sets that give the same levels as a fit at all pixels looked at.
@@ -60,7 +63,6 @@ class Evidence {
   const float* seen(std::size_t pixel) const { return &seen_[3 * pixel]; }
 
  private:
-  std::vector<float> colours(const FaultSet& set, const std::vector<PixelPlace>& places) const;
   std::vector<PixelPlace> first(std::size_t most) const;
   std::size_t index_of(const PixelPlace& place) const;
   double misfit(const std::vector<float>& colours, const OutputEncoding& encoding) const;

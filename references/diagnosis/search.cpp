@@ -11,8 +11,9 @@ constexpr std::size_t beam_width = 4;
 constexpr std::size_t first_beam_width = 10;  // because of several faults each alone explains little
 constexpr std::size_t most_faults = 7;
 constexpr std::size_t screened = 14;  // of the first look, that are looked at with all pixels
-constexpr std::size_t glance = 40;    // pixels, at pairs of faults
-constexpr double most_units = 8e7;    // of Work: some 3 s
+constexpr std::size_t telling_of_fault = 3;
+constexpr std::size_t glance = 60;  // pixels, at pairs of faults
+constexpr double most_units = 8e7;  // of Work: some 3 s
 constexpr double nothing_left =
     0.005;                     // because float and double disagree by a level in some of a thousand pixels
 constexpr double looks = 450;  // at all even pixels, in a search for two or three faults
@@ -24,11 +25,16 @@ class Search {
  public:
   explicit Search(Evidence& evidence)
       : evidence_(evidence),
-        even_(static_cast<std::size_t>(
-            std::clamp(most_units / (looks * evidence.units_of_pixel()), 150.0, 1500.0))) {}
+        even_(std::min(evidence.pixels_of_picture() / 4 + 1,
+                       static_cast<std::size_t>(
+                           std::clamp(most_units / (looks * evidence.units_of_pixel()), 150.0, 1500.0)))),
+        has_effect_(fault_catalogue().size(), false) {}
 
   Fit best() {
     std::vector<Fit> beam{{}};
+    look_again(beam);
+    if (beam.front().misfit <= nothing_left) return beam.front();
+    choose_telling_pixels();
     look_again(beam);
     Fit best = beam.front();
     // Of two faults that spoil the same pixels neither alone need bring a gain: one more level is tried.
@@ -46,7 +52,30 @@ class Search {
   }
 
  private:
-  /// Even pixels, and as many of those that the best does not explain.
+  /// A few pixels for each fault that it changes in the right picture: highlights and shadows are small, and
+  /// evenly spread pixels may miss them.
+  void choose_telling_pixels() {
+    const std::vector<PixelPlace> places = spread(evidence_.width(), evidence_.height(), 2 * even_);
+    const std::vector<float> right = evidence_.colours({}, places);
+    std::vector<std::vector<std::size_t>> changed(has_effect_.size());
+    for (std::size_t fault = 0; fault < has_effect_.size(); ++fault) {
+      const std::vector<float> wrong = evidence_.colours({fault}, places);
+      for (std::size_t i = 0; i < places.size(); ++i) {
+        if (!std::equal(&right[3 * i], &right[3 * i] + 3, &wrong[3 * i])) changed[fault].push_back(i);
+      }
+      has_effect_[fault] = !changed[fault].empty();
+    }
+    std::set<std::size_t> taken;
+    for (std::size_t round = 0; round < telling_of_fault; ++round) {
+      for (const std::vector<std::size_t>& of_fault : changed) {
+        if (of_fault.empty()) continue;
+        const std::size_t i = of_fault[of_fault.size() * (2 * round + 1) / (2 * telling_of_fault)];
+        if (taken.insert(i).second) telling_.push_back(places[i]);
+      }
+    }
+  }
+
+  /// Telling pixels, even pixels, and as many of those that the best does not explain.
   void look_again(std::vector<Fit>& beam) {
     std::vector<PixelPlace> places = spread(evidence_.width(), evidence_.height(), even_);
     evidence_.look_at(places);
@@ -57,10 +86,11 @@ class Search {
       if (differences[i] > 1) open.push_back(evidence_.survey()[i]);
     }
     const std::size_t wanted = std::min(open.size(), even_ / 2);
-    // Turn about, so that the first part of the places has both.
+    // Turn about, so that the first part of the places has all kinds.
     std::vector<PixelPlace> mixed;
-    for (std::size_t i = 0; i < places.size(); ++i) {
-      mixed.push_back(places[i]);
+    for (std::size_t i = 0; i < std::max(places.size(), telling_.size()); ++i) {
+      if (i < telling_.size()) mixed.push_back(telling_[i]);
+      if (i < places.size()) mixed.push_back(places[i]);
       if (i % 2 == 0 && i / 2 < wanted) mixed.push_back(open[i / 2 * open.size() / wanted]);
     }
     evidence_.look_at(mixed);
@@ -92,39 +122,34 @@ class Search {
     return set;
   }
 
-  /// All sets with one fault more, the best few of them. Only those that change the best set are added to the
-  /// others.
+  /// All sets with one fault more, the best few of them. Only faults that change the right picture.
   std::vector<Fit> expanded(const std::vector<Fit>& beam) const {
-    std::vector<bool> has_effect(fault_catalogue().size(), true);
     std::set<FaultSet> tried;
     std::vector<Fit> fits;
     for (const Fit& fit : beam) {
       if (evidence_.is_over()) break;
-      const bool is_first = &fit == &beam.front();
-      const double before = is_first ? evidence_.fit(fit.set, first_look()).misfit : 0;
       for (std::size_t fault = 0; fault < fault_catalogue().size(); ++fault) {
-        if (!has_effect[fault] || std::binary_search(fit.set.begin(), fit.set.end(), fault)) continue;
+        if (!has_effect_[fault] || std::binary_search(fit.set.begin(), fit.set.end(), fault)) continue;
         if (!tried.insert(with(fit.set, fault)).second) continue;
         fits.push_back(evidence_.fit(with(fit.set, fault), first_look()));
-        if (is_first) has_effect[fault] = fits.back().misfit != before;
       }
     }
     if (!beam.front().set.empty()) return best_of(std::move(fits), beam_width);
-    add_pairs(has_effect, fits);
+    add_pairs(fits);
     return best_of(std::move(fits), first_beam_width);
   }
 
   /// The most promising pairs of faults: of two that hide each other, as of brightness and of ambient light,
   /// each alone makes it worse.
-  void add_pairs(const std::vector<bool>& has_effect, std::vector<Fit>& fits) const {
+  void add_pairs(std::vector<Fit>& fits) const {
     std::vector<Fit> pairs;
-    for (std::size_t a = 0; a < has_effect.size(); ++a) {
-      for (std::size_t b = a + 1; has_effect[a] && b < has_effect.size(); ++b) {
-        if (has_effect[b]) pairs.push_back(evidence_.fit({a, b}, glance));
+    for (std::size_t a = 0; a < has_effect_.size(); ++a) {
+      for (std::size_t b = a + 1; has_effect_[a] && b < has_effect_.size(); ++b) {
+        if (has_effect_[b]) pairs.push_back(evidence_.fit({a, b}, glance));
       }
     }
     sort(pairs);
-    pairs.resize(std::min(pairs.size(), screened));
+    pairs.resize(std::min(pairs.size(), 3 * screened));
     for (const Fit& pair : pairs) fits.push_back(evidence_.fit(pair.set, first_look()));
   }
 
@@ -150,7 +175,7 @@ class Search {
         without.erase(without.begin() + static_cast<std::ptrdiff_t>(i));
         sets.push_back(without);
         for (std::size_t fault = 0; fault < fault_catalogue().size(); ++fault) {
-          if (!std::binary_search(best.set.begin(), best.set.end(), fault))
+          if (has_effect_[fault] && !std::binary_search(best.set.begin(), best.set.end(), fault))
             sets.push_back(with(without, fault));
         }
       }
@@ -167,6 +192,8 @@ class Search {
 
   Evidence& evidence_;
   std::size_t even_;
+  std::vector<bool> has_effect_;  // of the faults
+  std::vector<PixelPlace> telling_;
 };
 
 }  // namespace

@@ -1,0 +1,219 @@
+// How often `plumb diagnose` names the mistakes that a picture was made with: random scenes, random faults,
+// pictures as the course's framework writes them. Faults that cannot be seen in a picture are not asked for.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <ctime>
+#include <random>
+
+#include "references/diagnosis/diagnosis.hpp"
+#include "tests/support/random_scene.hpp"
+#include "tracer/engine/render.hpp"
+#include "tracer/image/encode.hpp"
+
+namespace plumb {
+namespace {
+
+using references::Diagnosis;
+using references::Fault;
+using references::FaultSet;
+using references::FoundFault;
+
+struct Options {
+  unsigned seed = 1000;
+  int scenes = 30;
+  int width = 480;
+  int height = 320;
+  bool is_told = false;
+};
+
+RenderJob job_of(const Options& options, const RenderOptions& render) {
+  RenderJob job;
+  job.width = options.width;
+  job.height = options.height;
+  job.options = render;
+  job.threads = 1;
+  return job;
+}
+
+ImageFile as_written(const Image& image) {
+  ImageFile file{image.width, image.height, 3, Sample::bits8, {}};
+  for (const std::uint8_t byte : encode_8_bits(image, Encoding::course))
+    file.values.push_back(static_cast<float>(byte) / 255);
+  return file;
+}
+
+/// Because less than one pixel in a thousand is no picture to learn from.
+bool differs(const ImageFile& a, const ImageFile& b) {
+  std::size_t pixels = 0;
+  for (std::size_t i = 0; i < a.values.size(); i += 3)
+    pixels += std::equal(&a.values[i], &a.values[i] + 3, &b.values[i]) ? 0 : 1;
+  return pixels * 1000 >= a.values.size() / 3;
+}
+
+/// One line of the result.
+struct Tally {
+  int pictures = 0, first = 0, among_three = 0, exact = 0, reported = 0, really_there = 0, verdicts = 0;
+  double seconds = 0, slowest = 0;
+};
+
+class Experiment {
+ public:
+  Experiment(const Options& options, unsigned seed)
+      : options_(options),
+        random_(tests::random_scene(seed)),
+        camera_(random_.scene.cameras.front()),
+        job_(job_of(options, random_.options)),
+        choose_(seed) {}
+
+  /// A picture with so many faults, each of which can be seen in it.
+  void with_faults(std::size_t count, Tally& tally) {
+    for (int attempt = 0; attempt < 40; ++attempt) {
+      const FaultSet set = draw(count);
+      const auto picture = picture_with(set);
+      if (!picture || !is_seen(set, *picture)) continue;
+      return judge(set, diagnosed(*picture, tally), tally);
+    }
+  }
+
+  /// The right picture, from the engine in float: no code of ours that it is compared with.
+  void right(Tally& tally) {
+    RenderJob job = job_;
+    job.real = RealType::float32;
+    const Diagnosis found = diagnosed(as_written(engine::render(random_.scene, camera_, job)), tally);
+    tally.verdicts += found.verdict == references::Verdict::right ? 1 : 0;
+  }
+
+  void of_another_scene(unsigned seed, Tally& tally) {
+    const auto other = tests::random_scene(seed);
+    RenderJob job = job_;
+    job.options = other.options;
+    const Image image = engine::render(other.scene, other.scene.cameras.front(), job);
+    const Diagnosis found = diagnosed(as_written(image), tally);
+    tally.verdicts += found.verdict == references::Verdict::unexplained ? 1 : 0;
+  }
+
+ private:
+  FaultSet draw(std::size_t count) {
+    FaultSet set;
+    while (set.size() < count) {
+      const std::size_t fault = choose_() % references::fault_catalogue().size();
+      if (std::find(set.begin(), set.end(), fault) == set.end()) set.push_back(fault);
+    }
+    std::sort(set.begin(), set.end());
+    return set;
+  }
+
+  std::optional<ImageFile> picture_with(const FaultSet& set) const {
+    try {
+      return as_written(render_with(random_.scene, camera_, job_, references::faults_of(set)));
+    } catch (const std::runtime_error&) {
+      return std::nullopt;  // a scene that the fault makes untraceable
+    }
+  }
+
+  bool is_seen(const FaultSet& set, const ImageFile& picture) const {
+    for (const std::size_t fault : set) {
+      FaultSet rest = set;
+      rest.erase(std::find(rest.begin(), rest.end(), fault));
+      const auto without = picture_with(rest);
+      if (!without || !differs(picture, *without)) return false;
+    }
+    return true;
+  }
+
+  Diagnosis diagnosed(const ImageFile& picture, Tally& tally) const {
+    const std::clock_t before = std::clock();
+    const Diagnosis found = references::diagnose(random_.scene, camera_, job_, picture);
+    const double seconds = static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC;
+    ++tally.pictures;
+    tally.seconds += seconds;
+    tally.slowest = std::max(tally.slowest, seconds);
+    return found;
+  }
+
+  /// What cannot be told apart in the picture counts as found, and stands in the diagnosis.
+  static bool is_it(const FoundFault& found, const Fault* fault) {
+    return found.fault == fault ||
+           std::find(found.alike.begin(), found.alike.end(), fault) != found.alike.end();
+  }
+
+  void judge(const FaultSet& set, const Diagnosis& found, Tally& tally) const {
+    const std::vector<const Fault*> there = references::faults_of(set);
+    const auto is_there = [&](const FoundFault& f) {
+      return std::any_of(there.begin(), there.end(), [&](const Fault* fault) { return is_it(f, fault); });
+    };
+    const auto right = std::count_if(found.faults.begin(), found.faults.end(), is_there);
+    tally.reported += static_cast<int>(found.faults.size());
+    tally.really_there += static_cast<int>(right);
+    tally.first += !found.faults.empty() && is_there(found.faults.front()) ? 1 : 0;
+    const std::size_t three = std::min<std::size_t>(3, found.faults.size());
+    tally.among_three +=
+        std::any_of(found.faults.begin(), found.faults.begin() + static_cast<std::ptrdiff_t>(three), is_there)
+            ? 1
+            : 0;
+    const bool is_exact =
+        found.faults.size() == set.size() && right == static_cast<std::ptrdiff_t>(set.size());
+    tally.exact += is_exact ? 1 : 0;
+    if (!is_exact && options_.is_told) tell(there, found);
+  }
+
+  static void tell(const std::vector<const Fault*>& there, const Diagnosis& found) {
+    for (const Fault* fault : there) std::fprintf(stderr, "%s ", fault->id.data());
+    std::fprintf(stderr, "-> %s:", to_string(found.verdict));
+    for (const FoundFault& f : found.faults) std::fprintf(stderr, " %s(%zu)", f.fault->id.data(), f.pixels);
+    std::fprintf(stderr, ", %zu pixels over\n", found.pixels_over);
+  }
+
+  const Options& options_;
+  tests::RandomScene random_;
+  const Camera& camera_;
+  RenderJob job_;
+  std::mt19937 choose_;
+};
+
+double percent(int part, int whole) { return whole == 0 ? 0 : 100.0 * part / whole; }
+
+void print(const char* name, const Tally& t) {
+  std::printf("| %s | %d | %.1f | %.1f | %.1f | %.1f | %.1f | %.1f |\n", name, t.pictures,
+              percent(t.first, t.pictures), percent(t.among_three, t.pictures), percent(t.exact, t.pictures),
+              percent(t.really_there, t.reported), t.seconds / std::max(1, t.pictures), t.slowest);
+}
+
+int run(const Options& options) {
+  Tally single, several, right, other;
+  for (int i = 0; i < options.scenes; ++i) {
+    const unsigned seed = options.seed + static_cast<unsigned>(i);
+    Experiment experiment(options, seed);
+    experiment.with_faults(1, single);
+    experiment.with_faults(2 + static_cast<std::size_t>(i % 3), several);
+    experiment.right(right);
+    experiment.of_another_scene(seed + 100'000, other);
+  }
+  std::printf(
+      "| faults | pictures | first, %% | in three, %% | exact set, %% | really there, %% | CPU s | slowest "
+      "|\n"
+      "|---|---|---|---|---|---|---|---|\n");
+  print("one", single);
+  print("two to four", several);
+  std::printf("right pictures called right: %d of %d (%.1f s of CPU, slowest %.1f)\n", right.verdicts,
+              right.pictures, right.seconds / std::max(1, right.pictures), right.slowest);
+  std::printf("abstains from pictures of another scene: %d of %d (%.1f s of CPU, slowest %.1f)\n",
+              other.verdicts, other.pictures, other.seconds / std::max(1, other.pictures), other.slowest);
+  return 0;
+}
+
+}  // namespace
+}  // namespace plumb
+
+int main(int argc, char** argv) {
+  plumb::Options options;
+  CLI::App app("How often plumb diagnose names the mistakes that a picture was made with.");
+  app.add_option("--seed", options.seed, "of the first random scene")->capture_default_str();
+  app.add_option("--scenes", options.scenes, "random scenes, four pictures of each")->capture_default_str();
+  app.add_option("--width", options.width)->capture_default_str();
+  app.add_option("--height", options.height)->capture_default_str();
+  app.add_flag("--tell", options.is_told, "say on standard error which sets were not found");
+  CLI11_PARSE(app, argc, argv);
+  return plumb::run(options);
+}

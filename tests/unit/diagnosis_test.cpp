@@ -1,0 +1,108 @@
+// Diagnosis of pictures whose faults are known, because they were made with them.
+#include "references/diagnosis/diagnosis.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/support/run.hpp"
+#include "tracer/engine/render.hpp"
+#include "tracer/image/encode.hpp"
+#include "tracer/scene/reader.hpp"
+
+namespace plumb::references {
+namespace {
+
+Scene scene_of(const std::string& file) {
+  return read_scene(read_file(tests::source_path("tests/scenes/" + file))).scene;
+}
+
+textbook::RenderJob small_job() {
+  textbook::RenderJob job;
+  job.width = 60;
+  job.height = 40;
+  job.threads = 1;
+  return job;
+}
+
+ImageFile as_file(const Image& image, plumb::Encoding encoding) {
+  ImageFile file{image.width, image.height, 3, Sample::bits8, {}};
+  for (const std::uint8_t byte : encode_8_bits(image, encoding))
+    file.values.push_back(static_cast<float>(byte) / 255);
+  return file;
+}
+
+Diagnosis diagnosis_of(const std::string& file, const std::vector<std::string>& ids,
+                       plumb::Encoding encoding = plumb::Encoding::course) {
+  const Scene scene = scene_of(file);
+  std::vector<const Fault*> faults;
+  for (const std::string& id : ids) faults.push_back(find_fault(id));
+  const Camera& camera = scene.cameras.front();
+  return diagnose(scene, camera, small_job(),
+                  as_file(render_with(scene, camera, small_job(), faults), encoding));
+}
+
+std::vector<std::string> ids_of(const Diagnosis& diagnosis) {
+  std::vector<std::string> ids;
+  for (const FoundFault& found : diagnosis.faults) ids.emplace_back(found.fault->id);
+  std::sort(ids.begin(), ids.end());
+  return ids;
+}
+
+using Ids = std::vector<std::string>;
+
+TEST(Diagnose, ARightPictureIsRightInEveryEncoding) {
+  for (const auto encoding : {plumb::Encoding::course, plumb::Encoding::srgb, plumb::Encoding::linear}) {
+    const Diagnosis found = diagnosis_of("combined-still-life.sdf", {}, encoding);
+    EXPECT_EQ(found.verdict, Verdict::right);
+    EXPECT_EQ(found.encoding.tone_map, encoding == plumb::Encoding::course);
+    EXPECT_EQ(found.encoding.rounds, encoding == plumb::Encoding::srgb);
+    EXPECT_EQ(found.pixels_over, 0U);
+  }
+}
+
+TEST(Diagnose, TheEnginesFloatPictureIsRight) {
+  const Scene scene = scene_of("combined-village.sdf");
+  RenderJob job = small_job();
+  job.real = RealType::float32;
+  const Image image = engine::render(scene, scene.cameras.front(), job);
+  const ImageFile file = as_file(image, plumb::Encoding::course);
+  EXPECT_EQ(diagnose(scene, scene.cameras.front(), small_job(), file).verdict, Verdict::right);
+}
+
+TEST(Diagnose, OneFaultIsNamed) {
+  for (const char* id : {"pixel-corner", "upside-down"}) {
+    const Diagnosis found = diagnosis_of("combined-still-life.sdf", {id});
+    EXPECT_EQ(found.verdict, Verdict::faults) << id;
+    EXPECT_EQ(ids_of(found), Ids{id});
+    EXPECT_EQ(found.is_flipped, std::string(id) == "upside-down");
+    EXPECT_EQ(found.pixels_over, 0U) << id;
+  }
+}
+
+TEST(Diagnose, TwoFaultsOfWhichNeitherAloneExplainsAnythingAreNamed) {
+  EXPECT_EQ(ids_of(diagnosis_of("combined-mirror-room.sdf", {"background-as-ambient", "brightness-ignored"})),
+            (Ids{"background-as-ambient", "brightness-ignored"}));
+}
+
+TEST(Diagnose, WhatCannotBeToldApartIsSaid) {
+  const Diagnosis found = diagnosis_of("phong.sdf", {"specular-absolute"});
+  ASSERT_EQ(found.faults.size(), 1U);
+  const FoundFault& first = found.faults.front();
+  const bool is_named = first.fault->id == "specular-absolute" ||
+                        std::any_of(first.alike.begin(), first.alike.end(),
+                                    [](const Fault* f) { return f->id == "specular-absolute"; });
+  EXPECT_TRUE(is_named);
+  EXPECT_NEAR(first.confidence, 1.0 / static_cast<double>(1 + first.alike.size()), 1e-12);
+}
+
+TEST(Diagnose, AbstainsFromAnotherScenesPicture) {
+  const Scene scene = scene_of("combined-village.sdf");
+  const Scene other = scene_of("combined-mirror-room.sdf");
+  const Image image = engine::render(other, other.cameras.front(), small_job());
+  const ImageFile file = as_file(image, plumb::Encoding::course);
+  EXPECT_EQ(diagnose(scene, scene.cameras.front(), small_job(), file).verdict, Verdict::unexplained);
+}
+
+}  // namespace
+}  // namespace plumb::references
