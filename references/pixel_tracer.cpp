@@ -21,7 +21,7 @@ Colour rounded(const Rgbd& c) {
 
 }  // namespace
 
-double units_of_ray(const Scene& scene, textbook::InstanceId instances) {
+double cost_of_ray(const Scene& scene, textbook::InstanceId instances) {
   return (units_of_shading + static_cast<double>(instances)) * static_cast<double>(1 + scene.lights.size());
 }
 
@@ -40,7 +40,7 @@ PixelTracer::PixelTracer(Scene scene, const AttributionJob& job, const RenderOpt
     : scene_(std::move(scene)),
       world_(scene_, formulas),
       work_(work),
-      units_of_ray_(units_of_ray(scene_, world_.instances())),
+      units_of_ray_(cost_of_ray(scene_, world_.instances())),
       limit_(units_of_ray_, work),
       tracer_(world_, job.camera, job.reference.width, job.reference.height, options, limit_),
       recording_(world_, job.camera, job.reference.width, job.reference.height, options, recorder_) {

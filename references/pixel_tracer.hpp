@@ -29,7 +29,7 @@ class Work {
 };
 
 /// What a ray costs, with those to the lights.
-double units_of_ray(const Scene& scene, textbook::InstanceId instances);
+double cost_of_ray(const Scene& scene, textbook::InstanceId instances);
 
 /// Ends a pixel that has too many rays, and counts the work.
 class RayLimit : public textbook::NoObserver<double> {

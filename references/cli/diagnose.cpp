@@ -75,30 +75,30 @@ void print(const references::FoundFault& found, int hint) {
 void print(const Options& options, const references::Diagnosis& d) {
   const double share = 100.0 * static_cast<double>(d.pixels_over) / static_cast<double>(d.pixels);
   switch (d.verdict) {
-    case references::Verdict::right:
+    case references::PictureVerdict::right:
       std::printf("%s: right (%s)", options.image.c_str(), d.encoding.in_words().c_str());
       break;
-    case references::Verdict::faults:
+    case references::PictureVerdict::faults:
       std::printf("%s: %zu fault%s explain%s it (%s)\n", options.image.c_str(), d.faults.size(),
                   d.faults.size() == 1 ? "" : "s", d.faults.size() == 1 ? "s" : "",
                   d.encoding.in_words().c_str());
       for (const references::FoundFault& found : d.faults) print(found, options.hint);
       std::printf("remaining");
       break;
-    case references::Verdict::unexplained:
+    case references::PictureVerdict::unexplained:
       std::printf("%s: no set of known faults explains it; is it a picture of this scene?\n",
                   options.image.c_str());
       std::printf("remaining");
       break;
   }
   std::printf("%s: %zu pixels (%.2f %%) more than 2/255 away, RMS %.2g\n",
-              d.verdict == references::Verdict::right ? "" : " with the best of them", d.pixels_over, share,
-              d.rms);
+              d.verdict == references::PictureVerdict::right ? "" : " with the best of them", d.pixels_over,
+              share, d.rms);
 }
 
-int exit_code_of(references::Verdict verdict) {
-  if (verdict == references::Verdict::right) return exit_agrees;
-  return verdict == references::Verdict::faults ? exit_differs : exit_abstains;
+int exit_code_of(references::PictureVerdict verdict) {
+  if (verdict == references::PictureVerdict::right) return exit_agrees;
+  return verdict == references::PictureVerdict::faults ? exit_differs : exit_abstains;
 }
 
 int run_diagnose(const Options& options) {

@@ -100,9 +100,9 @@ FoundFault found_fault(const Evidence& evidence, const Fit& fit, std::size_t fau
 
 }  // namespace
 
-const char* to_string(Verdict verdict) {
-  if (verdict == Verdict::right) return "right";
-  return verdict == Verdict::faults ? "faults" : "unexplained";
+const char* to_string(PictureVerdict verdict) {
+  if (verdict == PictureVerdict::right) return "right";
+  return verdict == PictureVerdict::faults ? "faults" : "unexplained";
 }
 
 Diagnosis diagnose(const Scene& scene, const Camera& camera, const textbook::RenderJob& job,
@@ -124,9 +124,9 @@ Diagnosis diagnose(const Scene& scene, const Camera& camera, const textbook::Ren
       std::count_if(differences.begin(), differences.end(), [](float d) { return d > rounding; });
   const bool is_right = static_cast<double>(wrong) <= edges * static_cast<double>(differences.size());
   if (fit.set.empty())
-    diagnosis.verdict = is_right ? Verdict::right : Verdict::unexplained;
+    diagnosis.verdict = is_right ? PictureVerdict::right : PictureVerdict::unexplained;
   else
-    diagnosis.verdict = diagnosis.explained >= enough ? Verdict::faults : Verdict::unexplained;
+    diagnosis.verdict = diagnosis.explained >= enough ? PictureVerdict::faults : PictureVerdict::unexplained;
   return diagnosis;
 }
 

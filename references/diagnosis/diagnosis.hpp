@@ -8,13 +8,13 @@
 
 namespace plumb::references {
 
-enum class Verdict {
+enum class PictureVerdict {
   right,       ///< the lecture's picture, in one of the encodings
   faults,      ///< explained by the faults
   unexplained  ///< neither: no set of known faults gives this picture
 };
 
-const char* to_string(Verdict verdict);
+const char* to_string(PictureVerdict verdict);
 
 struct FoundFault {
   const Fault* fault;
@@ -24,7 +24,7 @@ struct FoundFault {
 };
 
 struct Diagnosis {
-  Verdict verdict = Verdict::unexplained;
+  PictureVerdict verdict = PictureVerdict::unexplained;
   std::vector<FoundFault> faults;  ///< by effect, the largest first
   OutputEncoding encoding;
   bool is_flipped = false;      ///< upside-down is among the faults

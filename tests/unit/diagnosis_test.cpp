@@ -54,7 +54,7 @@ using Ids = std::vector<std::string>;
 TEST(Diagnose, ARightPictureIsRightInEveryEncoding) {
   for (const auto encoding : {plumb::Encoding::course, plumb::Encoding::srgb, plumb::Encoding::linear}) {
     const Diagnosis found = diagnosis_of("combined-still-life.sdf", {}, encoding);
-    EXPECT_EQ(found.verdict, Verdict::right);
+    EXPECT_EQ(found.verdict, PictureVerdict::right);
     EXPECT_EQ(found.encoding.tone_map, encoding == plumb::Encoding::course);
     EXPECT_EQ(found.encoding.rounds, encoding == plumb::Encoding::srgb);
     EXPECT_EQ(found.pixels_over, 0U);
@@ -67,13 +67,13 @@ TEST(Diagnose, TheEnginesFloatPictureIsRight) {
   job.real = RealType::float32;
   const Image image = engine::render(scene, scene.cameras.front(), job);
   const ImageFile file = as_file(image, plumb::Encoding::course);
-  EXPECT_EQ(diagnose(scene, scene.cameras.front(), small_job(), file).verdict, Verdict::right);
+  EXPECT_EQ(diagnose(scene, scene.cameras.front(), small_job(), file).verdict, PictureVerdict::right);
 }
 
 TEST(Diagnose, OneFaultIsNamed) {
   for (const char* id : {"pixel-corner", "upside-down"}) {
     const Diagnosis found = diagnosis_of("combined-still-life.sdf", {id});
-    EXPECT_EQ(found.verdict, Verdict::faults) << id;
+    EXPECT_EQ(found.verdict, PictureVerdict::faults) << id;
     EXPECT_EQ(ids_of(found), Ids{id});
     EXPECT_EQ(found.is_flipped, std::string(id) == "upside-down");
     EXPECT_EQ(found.pixels_over, 0U) << id;
@@ -101,7 +101,7 @@ TEST(Diagnose, AbstainsFromAnotherScenesPicture) {
   const Scene other = scene_of("combined-mirror-room.sdf");
   const Image image = engine::render(other, other.cameras.front(), small_job());
   const ImageFile file = as_file(image, plumb::Encoding::course);
-  EXPECT_EQ(diagnose(scene, scene.cameras.front(), small_job(), file).verdict, Verdict::unexplained);
+  EXPECT_EQ(diagnose(scene, scene.cameras.front(), small_job(), file).verdict, PictureVerdict::unexplained);
 }
 
 }  // namespace

@@ -81,7 +81,7 @@ class Experiment {
     RenderJob job = job_;
     job.real = RealType::float32;
     const Diagnosis found = diagnosed(as_written(engine::render(random_.scene, camera_, job)), tally);
-    tally.verdicts += found.verdict == references::Verdict::right ? 1 : 0;
+    tally.verdicts += found.verdict == references::PictureVerdict::right ? 1 : 0;
   }
 
   void of_another_scene(unsigned seed, Tally& tally) {
@@ -90,7 +90,7 @@ class Experiment {
     job.options = other.options;
     const Image image = engine::render(other.scene, other.scene.cameras.front(), job);
     const Diagnosis found = diagnosed(as_written(image), tally);
-    tally.verdicts += found.verdict == references::Verdict::unexplained ? 1 : 0;
+    tally.verdicts += found.verdict == references::PictureVerdict::unexplained ? 1 : 0;
   }
 
  private:
