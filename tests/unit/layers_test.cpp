@@ -24,7 +24,11 @@ const std::map<std::string, std::set<std::string>>& allowed() {
       {"tracer/textbook", {"tracer/formulas", "tracer/scene", "tracer/image"}},
       {"tracer/engine", {"tracer/formulas", "tracer/scene", "tracer/image"}},
       {"exporters", {"tracer/formulas", "tracer/scene"}},
-      {"references/faults", {"tracer/formulas", "tracer/scene", "tracer/image", "tracer/textbook"}},
+      {"references/faults",
+       {"tracer/formulas", "tracer/scene", "tracer/image", "tracer/textbook", "references"}},
+      {"references/diagnosis",
+       {"tracer/formulas", "tracer/scene", "tracer/image", "tracer/textbook", "references",
+        "references/faults"}},
       {"references/metrics", {"tracer/engine"}},  // its choice of vectors alone
       {"references",
        {"tracer/formulas", "tracer/scene", "tracer/image", "tracer/textbook", "tracer/engine", "exporters",
@@ -32,7 +36,8 @@ const std::map<std::string, std::set<std::string>>& allowed() {
       {"references/report", {"tracer/image", "references"}},
       {"references/cli",
        {"tracer/formulas", "tracer/scene", "tracer/image", "tracer/textbook", "tracer/engine", "exporters",
-        "references", "references/metrics", "references/report"}}};
+        "references", "references/diagnosis", "references/faults", "references/metrics",
+        "references/report"}}};
   return table;
 }
 

@@ -1,0 +1,92 @@
+// `plumb faults`, `plumb render --fault` and `plumb diagnose`, from the scene to the exit code.
+#include <nlohmann/json.hpp>
+
+#include "tests/support/end_to_end.hpp"
+
+namespace plumb::tests {
+namespace {
+
+using Json = nlohmann::json;
+
+class DiagnoseCommand : public testing::Test {
+ protected:
+  DiagnoseCommand() { workplace_.file("s.sdf", std::string(ball_scene)); }
+
+  Outcome run(const std::vector<std::string>& arguments) const {
+    return run_plumb(arguments, workplace_.directory());
+  }
+  Json json_of(const std::vector<std::string>& arguments) const {
+    const Outcome outcome = run(arguments);
+    EXPECT_TRUE(Json::accept(outcome.out)) << outcome.out << outcome.err;
+    return Json::parse(outcome.out, nullptr, false);
+  }
+
+  Workplace workplace_;
+};
+
+TEST_F(DiagnoseCommand, ARightPictureIsRight) {
+  ASSERT_EQ(run({"render", "s.sdf", "-o", "a.ppm"}).exit_code, 0);
+  const Outcome outcome = run({"diagnose", "s.sdf", "a.ppm"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_TRUE(contains(outcome.out, "a.ppm: right (tone-mapped, truncated to 8 bits)")) << outcome.out;
+}
+
+TEST_F(DiagnoseCommand, AFaultIsNamedInTextAndJson) {
+  ASSERT_EQ(run({"render", "s.sdf", "--fault", "ka-kd-swapped,pixel-corner", "-o", "a.ppm"}).exit_code, 0);
+  const Outcome outcome = run({"diagnose", "s.sdf", "a.ppm"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_TRUE(contains(outcome.out, "ka-kd-swapped")) << outcome.out;
+  const Json json = json_of({"diagnose", "s.sdf", "a.ppm", "--json", "-"});
+  EXPECT_EQ(json["verdict"], "faults");
+  ASSERT_EQ(json["faults"].size(), 2U);
+  EXPECT_EQ(json["faults"][0]["id"], "ka-kd-swapped");
+  EXPECT_EQ(json["faults"][0]["catalogue"], 17);
+  EXPECT_GT(json["faults"][0]["pixels"], json["faults"][1]["pixels"]);
+  EXPECT_EQ(json["faults"][1]["id"], "pixel-corner");
+  EXPECT_EQ(json["encoding"]["tone_map"], true);
+  EXPECT_EQ(json["encoding"]["rounding"], "truncate");
+  EXPECT_EQ(json["remaining"]["pixels_over_2_255"], 0);
+}
+
+TEST_F(DiagnoseCommand, HintsTellMoreByAndBy) {
+  ASSERT_EQ(run({"render", "s.sdf", "--fault", "ka-kd-swapped", "-o", "a.ppm"}).exit_code, 0);
+  const std::string slide = run({"diagnose", "s.sdf", "a.ppm", "--hint", "1"}).out;
+  const std::string mistake = run({"diagnose", "s.sdf", "a.ppm", "--hint", "2"}).out;
+  EXPECT_TRUE(contains(slide, "look at the slide")) << slide;
+  EXPECT_FALSE(contains(slide, "ka and kd")) << slide;
+  EXPECT_TRUE(contains(mistake, "ka and kd")) << mistake;
+  EXPECT_FALSE(contains(mistake, "ka-kd-swapped")) << mistake;
+}
+
+TEST_F(DiagnoseCommand, ItAbstainsFromAnotherPicture) {
+  workplace_.file("other.sdf", replaced(ball_scene, "0 0 -3 1 red", "1 1 -3 0.5 red"));
+  ASSERT_EQ(run({"render", "other.sdf", "-o", "a.ppm"}).exit_code, 0);
+  const Outcome outcome = run({"diagnose", "s.sdf", "a.ppm"});
+  EXPECT_EQ(outcome.exit_code, 3) << outcome.out;
+  EXPECT_TRUE(contains(outcome.out, "no set of known faults explains it")) << outcome.out;
+}
+
+TEST_F(DiagnoseCommand, AMissingPictureIsTrouble) {
+  const Outcome outcome = run({"diagnose", "s.sdf", "none.ppm"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_TRUE(contains(outcome.err, "none.ppm")) << outcome.err;
+}
+
+TEST_F(DiagnoseCommand, AnUnknownFaultIsNamedWithTheNearest) {
+  const Outcome outcome = run({"render", "s.sdf", "--fault", "ka-kd-swaped", "-o", "a.ppm"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_TRUE(contains(outcome.err, "did you mean ka-kd-swapped?")) << outcome.err;
+}
+
+TEST_F(DiagnoseCommand, FaultsAreListed) {
+  const Json json = json_of({"faults", "--json", "-"});
+  EXPECT_GE(json["faults"].size(), 45U);
+  for (const Json& fault : json["faults"]) {
+    EXPECT_FALSE(fault["wrong"] == fault["right"]) << fault;
+    EXPECT_FALSE(fault["slide"].get<std::string>().empty()) << fault;
+  }
+  EXPECT_TRUE(contains(run({"faults"}).out, "pixel-corner (4, Kameramodell; 38 of 42)"));
+}
+
+}  // namespace
+}  // namespace plumb::tests
