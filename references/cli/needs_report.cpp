@@ -23,12 +23,12 @@ std::string padded(std::string text, std::size_t width) {
 }
 
 /// Joined by commas, broken into lines.
-std::string listed(const std::vector<std::string>& names) {
-  constexpr std::size_t most = 12, longest = 90;
+std::string listed(const std::vector<std::string>& names, std::size_t most = 12) {
+  constexpr std::size_t longest = 80;
   std::string text, line;
   for (std::size_t i = 0; i < std::min(names.size(), most); ++i) {
     if (line.size() + names[i].size() > longest) {
-      text += line + "\n    ";
+      text += line.substr(0, line.size() - 1) + "\n    ";
       line.clear();
     }
     line += names[i] + (i + 1 < names.size() ? ", " : "");
@@ -45,24 +45,18 @@ std::vector<std::string> names_of(const Ids& ids, const Things& things) {
 }
 
 std::string features_text(const references::Needs& needs) {
-  std::string text, absent;
+  std::string text = "\nWhat of the lecture it has, and how often that happens in the picture\n";
+  std::vector<std::string> absent;
   for (const Feature& f : needs.features) {
     if (f.in_scene == 0) {
-      absent += (absent.empty() ? "" : ", ") + f.what;
+      absent.push_back(f.what);
       continue;
     }
-    text += "  " + padded(f.slide, 26) + padded(f.what, 27) +
-            padded(std::to_string(f.in_scene) + " " + f.things, 14) +
-            (f.seen == 0 ? "NOT SEEN" : std::to_string(f.seen) + " " + f.times) + "\n";
+    text += "  " + padded(f.slide, 25) + padded(f.what, 28) +
+            padded(std::to_string(f.in_scene) + " " + f.things + (f.in_scene > 1 ? "s" : ""), 14) +
+            (f.seen == 0 ? "not seen" : std::to_string(f.seen) + " " + f.times) + "\n";
   }
-  std::vector<std::string> words;
-  for (std::size_t at = 0; at < absent.size();) {
-    const std::size_t end = std::min(absent.find(", ", at), absent.size());
-    words.push_back(absent.substr(at, end - at));
-    at = end + 2;
-  }
-  return "\nWhat of the lecture it has, and how often that happens in the picture\n" + text +
-         (words.empty() ? "" : "  It has no " + listed(words) + ".\n");
+  return text + (absent.empty() ? "" : "  Not in the scene: " + listed(absent, absent.size()) + ".\n");
 }
 
 std::vector<double> bounds_of(const NeedsReport& r) {
@@ -72,17 +66,25 @@ std::vector<double> bounds_of(const NeedsReport& r) {
   return bounds;
 }
 
+/// What the errors were measured on.
+std::string evidence_text(const references::Needs& n) {
+  if (n.oracle_pixels == n.observed.pixels)
+    return formatted("  Measured against 113 bits on all %zu pixels.\n", n.oracle_pixels);
+  return formatted(
+      "  Measured against 113 bits on %zu of %zu pixels: those where float and double differ most, and\n"
+      "  spread ones; float also against double on all. Elsewhere double was not checked.\n",
+      n.oracle_pixels, n.observed.pixels);
+}
+
 std::string real_text(const NeedsReport& r) {
   const references::Needs& n = r.needs;
-  std::string text = "\nReal type: " + references::sufficient_real(n, r.bound) + " for an error of at most " +
-                     formatted("%g\n", r.bound);
-  text += formatted(
-      "  Largest error measured: float %.2g, double %.2g.\n  Evidence: against 113 bits on %zu of "
-      "%zu pixels (where float and double differ most, and spread ones);\n",
-      n.in_float.error.largest(), n.in_double.error.largest(), n.oracle_pixels, n.observed.pixels);
-  text += "  float against double on all. Elsewhere double was not checked.\n  For";
+  std::string text = "\nReal type: " + references::sufficient_real(n, r.bound) +
+                     formatted(" for an error of at most %g\n  Largest error: float %.2g, double %.2g.\n",
+                               r.bound, n.in_float.error.largest(), n.in_double.error.largest());
+  text += evidence_text(n) + "  Enough for";
   for (const double bound : bounds_of(r))
-    text += formatted(" %s%.3g: %s;", "", bound, references::sufficient_real(n, bound).c_str());
+    text += " " + (bound == 1.0 / 255 ? "1/255" : formatted("%g", bound)) + ": " +
+            references::sufficient_real(n, bound) + ";";
   text.back() = '.';
   return text + "\n";
 }
@@ -90,9 +92,11 @@ std::string real_text(const NeedsReport& r) {
 std::string depth_text(const NeedsReport& r) {
   const references::DepthNeed& d = r.needs.depth;
   std::string text = formatted("\nDepth: %d for an error of at most %g\n", d.within_bound_from, r.bound);
-  text += formatted(
-      "  The picture of depth %d is that of depth %d bit for bit; the deepest ray seen has depth %d.\n",
-      d.same_from, d.asked, r.needs.observed.deepest);
+  text +=
+      d.same_from < d.asked
+          ? formatted("  From depth %d on it is the picture of depth %d, bit for bit.", d.same_from, d.asked)
+          : formatted("  No smaller depth gives the picture of depth %d bit for bit.", d.asked);
+  text += formatted(" The deepest ray seen has depth %d.\n", r.needs.observed.deepest);
   std::string steps;
   for (const references::DepthStep& step : d.steps) {
     if (step.depth <= d.same_from)
@@ -110,6 +114,10 @@ std::string depth_text(const NeedsReport& r) {
 std::string untouched_text(const NeedsReport& r) {
   const references::Untouched& u = r.needs.untouched;
   std::string text = "\nNot needed in this picture\n";
+  if (!r.needs.is_same_without_untouched)
+    return text +
+           "  Not known: without the shapes that no ray was seen to touch, and the lights that were not\n"
+           "  seen to light anything, the picture is another one. Look at more pixels: a smaller --size.\n";
   const auto add = [&](const char* what, const std::vector<std::string>& names) {
     if (!names.empty()) text += "  " + std::string(what) + ": " + listed(names) + "\n";
   };
@@ -119,8 +127,7 @@ std::string untouched_text(const NeedsReport& r) {
   if (u.shapes.empty() && u.lights.empty() && u.materials.empty())
     return text + "  Nothing: all of it counts.\n";
   if (!u.shapes.empty() || !u.lights.empty())
-    text += std::string("  Without these shapes and lights the picture is ") +
-            (r.needs.is_same_without_untouched ? "the same, bit for bit.\n" : "ANOTHER ONE: keep them.\n");
+    text += "  Without these shapes and lights the picture is the same, bit for bit.\n";
   return text +
          "  This holds for this camera, this size and one sample a pixel; another picture may need them.\n";
 }

@@ -83,8 +83,8 @@ Costs measure_costs(const Scene& scene, const Camera& camera, const RenderJob& a
   std::vector<double> whole;
   std::vector<std::vector<double>> ratios(variants.size());
   for (int round = 0; round < costs.rounds; ++round) {
+    whole.push_back(cpu_of(scene, camera, job));
     for (std::size_t i = 0; i < variants.size(); ++i) {
-      whole.push_back(cpu_of(scene, camera, job));
       ratios[i].push_back(whole.back() / cpu_of(variants[i].scene, camera, variants[i].job));
     }
     if (asked.progress) asked.progress((round + 1.0) / costs.rounds);

@@ -61,6 +61,14 @@ class Survey {
     });
   }
 
+  std::size_t shapes_of_glass() const {
+    return shapes([&](const Shape& shape) {
+             const MaterialId* const id = material_of(shape);
+             return id != nullptr && scene_.materials[*id].transmits();
+           })
+        .in_scene;
+  }
+
   /// Materials that shapes are made of.
   std::size_t materials(const auto& is_meant) const {
     std::vector<bool> used(scene_.materials.size(), false);
@@ -87,55 +95,56 @@ void add_light(std::vector<Feature>& rows, const Scene& scene, const RenderOptio
   const auto lit_by = static_cast<std::uint64_t>(
       std::count_if(seen.lights.begin(), seen.lights.end(), [](std::uint64_t times) { return times > 0; }));
   rows.push_back({"lambert", "Lambert", "diffuse light",
-                  materials(lights > 0, [](const Material& m) { return m.kd != Rgbd(0); }), "materials",
-                  seen.diffuse, "times a light adds it"});
+                  materials(lights > 0, [](const Material& m) { return m.kd != Rgbd(0); }), "material",
+                  seen.diffuse, "times a light adds some"});
   rows.push_back({"ambient", "Ambient", "light from everywhere",
                   materials(scene.ambient != Rgbd(0), [](const Material& m) { return m.ka != Rgbd(0); }),
-                  "materials", seen.ambient, "hits"});
+                  "material", seen.ambient, "hits"});
   rows.push_back({"phong", "Phong", "highlights",
-                  materials(lights > 0, [](const Material& m) { return m.ks != Rgbd(0); }), "materials",
+                  materials(lights > 0, [](const Material& m) { return m.ks != Rgbd(0); }), "material",
                   seen.specular, "times a light adds one"});
   rows.push_back({"several-lights", "Vollständiges Modell", "several lights", lights > 1 ? lights : 0,
-                  "lights", lights > 1 ? lit_by : 0, "of them light something"});
-  rows.push_back({"shadow", "Schatten", "shadows", options.shadows ? lights : 0, "lights", seen.shadows,
+                  "light", lights > 1 ? lit_by : 0, "of them light something"});
+  rows.push_back({"shadow", "Schatten", "shadows", options.shadows ? lights : 0, "light", seen.shadows,
                   "of " + std::to_string(seen.shadow_rays) + " shadow rays blocked"});
 }
 
 void add_secondary(std::vector<Feature>& rows, const Observed& seen, const Survey& survey) {
   const std::size_t mirrors = survey.materials([](const Material& m) { return m.mirrors(); });
   const std::size_t glass = survey.materials([](const Material& m) { return m.transmits(); });
+  const std::size_t glass_shapes = survey.shapes_of_glass();
   const std::uint64_t through = seen.of(RayKind::refracted) + seen.of(RayKind::unbent);
   const std::uint64_t total = seen.of(RayKind::totally_reflected);
   const auto deep = static_cast<std::uint64_t>(seen.deepest);
   rows.push_back(
-      {"mirror", "Spiegelung", "mirrors", mirrors, "materials", seen.of(RayKind::mirrored), "rays"});
-  rows.push_back({"refraction", "Brechung", "refraction", glass, "materials", through, "rays"});
-  rows.push_back({"total-reflection", "Brechung", "total reflection", glass, "materials", total, "rays"});
-  rows.push_back({"nested-glass", "Brechung", "glass in glass", glass > 0 ? glass : 0, "materials",
+      {"mirror", "Spiegelung", "mirrors", mirrors, "material", seen.of(RayKind::mirrored), "rays"});
+  rows.push_back({"refraction", "Brechung", "refraction", glass, "material", through, "rays"});
+  rows.push_back({"total-reflection", "Brechung", "total reflection", glass, "material", total, "rays"});
+  rows.push_back({"nested-glass", "Brechung", "glass in glass", glass_shapes > 1 ? glass_shapes : 0, "shape",
                   seen.nested, "rays inside two or more"});
-  rows.push_back({"recursion", "Spiegelung, Brechung", "recursion", mirrors + glass, "materials", deep,
-                  "the depth of the deepest ray"});
+  rows.push_back({"recursion", "Spiegelung, Brechung", "recursion", mirrors + glass, "material", deep,
+                  "is the depth of the deepest ray"});
 }
 
 void add_shapes(std::vector<Feature>& rows, const Survey& survey) {
   const auto add = [&](const char* id, const char* slide, const char* what, const Use& use) {
-    rows.push_back({id, slide, what, use.in_scene, "shapes", use.seen, "touches by rays"});
+    rows.push_back({id, slide, what, use.in_scene, "shape", use.seen, "touches by rays"});
   };
   const auto is_uniform = [](const Scale& s) { return s.by.x == s.by.y && s.by.y == s.by.z; };
   add("sphere", "Kugel", "spheres",
       survey.shapes([](const Shape& s) { return std::holds_alternative<Sphere>(s.geometry); }));
   add("box", "Quader", "boxes",
       survey.shapes([](const Shape& s) { return std::holds_alternative<Box>(s.geometry); }));
-  add("translate", "Transformationen", "translated", survey.steps<Translate>(any));
-  add("rotate", "Transformationen", "rotated", survey.steps<Rotate>(any));
-  add("scale", "Transformationen", "scaled evenly", survey.steps<Scale>(is_uniform));
-  add("scale-nonuniform", "Transformationen", "scaled unevenly",
+  add("translate", "Transformationen", "translation", survey.steps<Translate>(any));
+  add("rotate", "Transformationen", "rotation", survey.steps<Rotate>(any));
+  add("scale", "Transformationen", "even scaling", survey.steps<Scale>(is_uniform));
+  add("scale-nonuniform", "Transformationen", "uneven scaling",
       survey.steps<Scale>([&](const Scale& s) { return !is_uniform(s); }));
   add("composed", "Zusammengesetzt, Inverse", "several transforms",
       survey.shapes([](const Shape& s) { return s.transform.size() > 1; }));
   add("composite", "Composite, DAG", "composites",
       survey.shapes([](const Shape& s) { return material_of(s) == nullptr; }));
-  add("sharing", "Composite, DAG", "shapes with several parents", survey.shared());
+  add("sharing", "Composite, DAG", "sharing by several parents", survey.shared());
 }
 
 void add_camera(std::vector<Feature>& rows, const Camera& camera, const Observed& seen) {
@@ -146,7 +155,7 @@ void add_camera(std::vector<Feature>& rows, const Camera& camera, const Observed
   rows.push_back({"camera-placed", "Kameratransformation", "eye, direction, up", is_placed ? 1U : 0U,
                   "camera", rays(is_placed), "rays"});
   rows.push_back({"camera-transform", "Kameratransformation", "camera moved by transforms",
-                  camera.transform.size(), "steps", rays(!camera.transform.empty()), "rays"});
+                  camera.transform.size(), "step", rays(!camera.transform.empty()), "rays"});
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ struct Feature {
   std::string slide;  ///< as LECTURE.md has it
   std::string what;
   std::size_t in_scene = 0;  ///< so many things of the scene ask for it
-  std::string things;        ///< what is counted there
+  std::string things;        ///< what is counted there, one of them
   std::uint64_t seen = 0;    ///< so often it happened in the pixels that were looked at
   std::string times;         ///< what is counted there
 };

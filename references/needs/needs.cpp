@@ -77,7 +77,8 @@ Needs needs_of(const Scene& scene, const Camera& camera, const RenderJob& job, d
   needs.depth = depth_need(judge, needs.observed, bound);
   RenderJob measuring = job;
   measuring.progress = share(0.7, 1);
-  needs.costs = measure_costs(scene, camera, measuring, needs.untouched);
+  needs.costs = measure_costs(scene, camera, measuring,
+                              needs.is_same_without_untouched ? needs.untouched : Untouched{});
   return needs;
 }
 
