@@ -176,8 +176,10 @@ std::string reason(const Choice& choice, double bound, int asked_depth) {
   const Candidate& c = choice.chosen;
   std::string text =
       formatted("%s: error %.2g, at most %g was asked for\n", named(c).c_str(), c.error.largest(), bound);
-  text += formatted("  against 113 bits %.2g, on %zu of the %zu pixels", c.error.against_oracle,
-                    choice.oracle_pixels, choice.pixels);
+  const std::string share =
+      choice.oracle_pixels == choice.pixels ? "all" : std::to_string(choice.oracle_pixels) + " of";
+  text += formatted("  against 113 bits %.2g, on %s %zu pixels", c.error.against_oracle, share.c_str(),
+                    choice.pixels);
   if (c.error.against_double)
     text += formatted("; against double at depth %d %.2g, on all", asked_depth, *c.error.against_double);
   return text + "\ntried, the cheapest kinds first:\n" + tried_text(choice.tried);
