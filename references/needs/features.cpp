@@ -29,7 +29,7 @@ std::vector<std::uint64_t> touches_of(const Scene& scene, const Observed& observ
 class Survey {
  public:
   Survey(const Scene& scene, const Observed& observed)
-      : scene_(scene), observed_(observed), touches_(touches_of(scene, observed)) {}
+      : scene_(scene), touches_(touches_of(scene, observed)) {}
 
   Use shapes(const auto& is_meant) const {
     Use use;
@@ -80,7 +80,6 @@ class Survey {
 
  private:
   const Scene& scene_;
-  const Observed& observed_;
   std::vector<std::uint64_t> touches_;
 };
 

@@ -116,6 +116,23 @@ TEST(Observe, ABlockerThatIsNotSeenIsTouched) {
   EXPECT_EQ(untouched.lights, std::vector<std::size_t>{1});
 }
 
+/// A shadow ray goes through it unnoticed, but not unchanged.
+TEST(Observe, GlassThatFiltersLightOutsideThePictureIsNeeded) {
+  const Scene scene = scene_of(
+      "define material m 0 0 0 1 1 1 0 0 0 1\n"
+      "define material glass 0 0 0 0 0 0 0 0 0 1 transmit 1 0.5 0.5 eta 1.5\n"
+      "define shape box floor -5 -2 -9 5 -1 -2 m\ndefine shape sphere above 0 6 -5 1 glass\n"
+      "define light lamp 0 20 -5 1 1 1 1\ndefine camera eye 60\n");
+  const auto not_needed = [&](GlassShadow shadow) {
+    RenderJob job = job_of();
+    job.options.glass_shadow = shadow;
+    return references::untouched_by(scene, observed(scene, job), job.options).shapes;
+  };
+  EXPECT_TRUE(not_needed(GlassShadow::full).empty());
+  EXPECT_TRUE(not_needed(GlassShadow::filtered).empty());
+  EXPECT_EQ(not_needed(GlassShadow::none), std::vector<ShapeId>{1});
+}
+
 TEST(Observe, SeesTheRaysOfEachKind) {
   const Observed total = observed(course_scene("total-reflection"));
   EXPECT_GT(total.of(RayKind::totally_reflected), 0U);
