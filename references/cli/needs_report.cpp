@@ -99,8 +99,8 @@ std::string depth_text(const NeedsReport& r) {
   text += formatted(" The deepest ray seen has depth %d.\n", r.needs.observed.deepest);
   std::string steps;
   for (const references::DepthStep& step : d.steps) {
-    if (step.depth <= d.same_from)
-      steps += formatted("%s %d: %.2g", steps.empty() ? "" : ",", step.depth, step.error);
+    if (step.depth > d.same_from) break;
+    steps += formatted("%s %d: %.2g", steps.empty() ? "" : ",", step.depth, step.error);
   }
   text += "  Error by depth:" + steps + ".\n";
   if (r.needs.observed.black_at_limit > 0)
