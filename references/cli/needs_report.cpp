@@ -103,11 +103,12 @@ std::string depth_text(const NeedsReport& r) {
     steps += formatted("%s %d: %.2g", steps.empty() ? "" : ",", step.depth, step.error);
   }
   text += "  Error by depth:" + steps + ".\n";
-  if (r.needs.observed.black_at_limit > 0)
+  if (r.needs.observed.black_at_limit > 0) {
     text += formatted(
         "  %llu rays are black because the depth ends at %d; depth %d changes the picture by %.2g.\n",
         static_cast<unsigned long long>(r.needs.observed.black_at_limit), d.asked, d.asked + 1,
         d.change_beyond);
+  }
   return text;
 }
 
