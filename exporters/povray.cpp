@@ -70,6 +70,7 @@ class Exporter {
     header();
     camera(pose);
     for (const Light& light : scene_.lights) {
+      if (!shines(light)) continue;
       text_ += "light_source { " + sdl(exported_point(light.position)) + ", rgb " + sdl(light.intensity()) +
                " }\n";
     }
@@ -104,9 +105,11 @@ class Exporter {
              sdl(Vec3d(m[1]) * aspect) + " }\n";
   }
 
+  static bool shines(const Light& light) { return light.intensity() != Rgbd(0); }
+  bool is_lit() const { return std::any_of(scene_.lights.begin(), scene_.lights.end(), &shines); }
+
   bool casts_apart(const Material& material) const {
-    return options_.shadows && material.transmits() && options_.glass_shadow == GlassShadow::full &&
-           !scene_.lights.empty();
+    return options_.shadows && material.transmits() && options_.glass_shadow == GlassShadow::full && is_lit();
   }
 
   bool casts_apart(const Shape& shape) const {
@@ -124,7 +127,8 @@ class Exporter {
       }
     }
     for (const MaterialId id : used) {
-      const Material& material = scene_.materials[id];
+      Material material = scene_.materials[id];
+      if (!is_lit()) material.kd = material.ks = Rgbd(0);
       text_ += "#declare Material_" + std::to_string(id) + " = // " + harmless(material.name) + "\n" +
                povray_texture(material, scene_.ambient);
     }

@@ -68,7 +68,7 @@ std::string povray_texture(const Material& material, const Rgbd& ambient) {
   Layers layers;
   const bool ends_opaque = opaque && !coloured_highlight;
   if (glow != Rgbd(0) || (ends_opaque && !diffuse)) {
-    layers.add_shining(glow, "diffuse 0 emission 1", ends_opaque && !diffuse);
+    layers.add_shining(glow, glow == Rgbd(0) ? black : black + " emission 1", ends_opaque && !diffuse);
   }
   if (diffuse) layers.add_shining(material.kd, "diffuse 1", ends_opaque);
   if (opaque && coloured_highlight) {

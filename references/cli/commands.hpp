@@ -20,6 +20,7 @@ Command add_verify(CLI::App& plumb);
 Command add_compare(CLI::App& plumb);
 Command add_explain(CLI::App& plumb);
 Command add_lint(CLI::App& plumb);
+Command add_needs(CLI::App& plumb);
 Command add_references(CLI::App& plumb);
 Command add_regress(CLI::App& plumb);
 Command add_faults(CLI::App& plumb);

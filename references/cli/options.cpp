@@ -77,6 +77,17 @@ void add_tolerance(CLI::App& app, double& tolerance) {
       ->capture_default_str();
 }
 
+CLI::Option* add_error(CLI::App& app, double& error, const std::string& description) {
+  const CLI::Validator finite_and_more_than_0(
+      [](std::string& text) -> std::string {
+        const Number number = parse_number(text);
+        if (number.complaint.empty() && number.value > 0) return {};
+        return "found " + in_quotes(text) + ", expected a finite number > 0, e.g. 0.001";
+      },
+      "");
+  return app.add_option("--error", error, description)->type_name("E")->check(finite_and_more_than_0);
+}
+
 Dialect dialect_of(const SceneOptions& options) {
   return options.dialect.empty() ? Dialect{} : parse_dialect(options.dialect);
 }

@@ -63,6 +63,9 @@ void say_report(const std::string& directory);
 /// --tolerance, finite and >= 0.
 void add_tolerance(CLI::App& app, double& tolerance);
 
+/// --error, finite and > 0.
+CLI::Option* add_error(CLI::App& app, double& error, const std::string& description);
+
 /// Writes out what was printed. Throws std::runtime_error when standard output is full or gone.
 void flush_output();
 

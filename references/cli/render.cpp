@@ -28,8 +28,12 @@ struct Options {
   bool prints_statistics = false;
   std::string statistics_json;
   std::string faults;
+  double error = 0;  // 0: none was asked for
   SceneOptions common;
 };
+
+/// Two pictures of so many pixels are held whole to be judged: 192 MiB each.
+constexpr std::int64_t most_judged_pixels = std::int64_t{1} << 24;
 
 Encoding encoding_of(const Options& options, const std::string& path) {
   if (options.encode.empty()) return default_encoding(path);
@@ -71,7 +75,44 @@ void report(const Options& options, const RenderJob& job, RenderStatistics& stat
     write_file(options.statistics_json, as_json(statistics));
 }
 
-int render(const Options& options) {
+void refuse_too_many(const RenderJob& job) {
+  const std::int64_t pixels = std::int64_t{job.width} * job.height;
+  if (pixels <= most_judged_pixels) return;
+  throw std::invalid_argument(
+      "--error: found " + std::to_string(pixels) + " pixels, expected at most " +
+      std::to_string(most_judged_pixels) +
+      ", because pictures are held whole to be judged; choose a smaller --size, or --real");
+}
+
+/// Renders by the cheapest configuration that keeps the error that was asked for, and says why.
+references::RenderedFile render_within_error(Options& options, const Scene& scene, const Camera& camera,
+                                             RenderJob& job, const std::string& path, Encoding encoding,
+                                             RenderStatistics& statistics) {
+  refuse_too_many(job);
+  references::Choice choice;
+  try {
+    choice = references::choose(scene, camera, job, options.error);
+  } catch (const references::BoundNotReached& error) {
+    throw std::runtime_error(options.scene + ": " + error.what());
+  }
+  const std::string why = references::reason(choice, options.error, job.options.depth);
+  warn(why.substr(0, why.size() - 1));
+  statistics.counts = choice.chosen.statistics;
+  statistics.chosen = ChosenForError{options.error,
+                                     job.options.depth,
+                                     choice.oracle_pixels,
+                                     choice.pixels,
+                                     choice.chosen,
+                                     choice.tried,
+                                     why};
+  options.common.real = references::to_string(choice.chosen.real);
+  job.real = choice.chosen.real;
+  const engine::Stopwatch writing;
+  write_image(path, choice.image, encoding);
+  return {is_of_one_colour(choice.image), writing.elapsed()};
+}
+
+int render(Options options) {
   RenderStatistics statistics;
   const engine::Stopwatch reading;
   const Scene scene = load_scene(options.scene, dialect_of(options.common), warn);
@@ -102,8 +143,10 @@ int render(const Options& options) {
     if (options.image.empty()) std::printf("%s\n", path.c_str());
     return exit_agrees;
   }
-  const references::RenderedFile file = references::render_to_file(
-      renderer_of(options.common), scene, view.camera, job, path, encoding, &statistics.counts);
+  const references::RenderedFile file =
+      options.error > 0 ? render_within_error(options, scene, view.camera, job, path, encoding, statistics)
+                        : references::render_to_file(renderer_of(options.common), scene, view.camera, job,
+                                                     path, encoding, &statistics.counts);
   progress.clear();
   statistics.write = file.write;
   if (file.is_of_one_colour)
@@ -153,8 +196,18 @@ Command add_render(CLI::App& plumb) {
       ->excludes("--stats-json")
       ->excludes("--samples");
   add_real(*app, options->common);
+  add_error(
+      *app, options->error,
+      "choose the cheapest real type and depth whose measured error is at most E, relative above 1, and "
+      "say why on standard error; exit code 2 when there is none. --depth remains what is aimed at")
+      ->excludes("--real")
+      ->excludes("--engine")
+      ->excludes("--fault");
   add_scene_options(*app, options->common);
-  app->footer("Example: plumb render tests/scenes/phong.sdf -o phong.png --size 640x480");
+  app->footer(
+      "Example: plumb render tests/scenes/phong.sdf -o phong.png --size 640x480\n"
+      "--error measures against 113 bits on some pixels and against double on all; see plumb needs.\n"
+      "Exit codes: 0 rendered, 2 trouble.");
   return {app, [options] { return render(*options); }};
 }
 

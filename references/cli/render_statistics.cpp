@@ -27,6 +27,28 @@ double per_object(const engine::Statistics& counts) {
   return counts.objects == 0 ? 0 : static_cast<double>(counts.bytes) / static_cast<double>(counts.objects);
 }
 
+nlohmann::ordered_json candidate_json(const references::Candidate& c) {
+  nlohmann::ordered_json json{{"real", references::to_string(c.real)},
+                              {"depth", c.depth},
+                              {"error", c.error.largest()},
+                              {"error_against_oracle", c.error.against_oracle},
+                              {"error_against_double", nullptr},
+                              {"cpu_seconds", c.cpu_seconds}};
+  if (c.error.against_double) json["error_against_double"] = *c.error.against_double;
+  return json;
+}
+
+nlohmann::ordered_json chosen_json(const ChosenForError& chosen) {
+  nlohmann::ordered_json json{{"asked", chosen.bound},
+                              {"asked_depth", chosen.asked_depth},
+                              {"oracle_pixels", chosen.oracle_pixels},
+                              {"pixels", chosen.pixels},
+                              {"chosen", candidate_json(chosen.candidate)},
+                              {"reason", chosen.reason}};
+  for (const references::Candidate& c : chosen.tried) json["tried"].push_back(candidate_json(c));
+  return json;
+}
+
 }  // namespace
 
 std::string as_text(const RenderStatistics& s) {
@@ -57,6 +79,7 @@ std::string as_json(const RenderStatistics& s) {
     json["seconds"][name] = seconds.wall;
     json["cpu_seconds"][name] = seconds.cpu;
   }
+  if (s.chosen) json["error"] = chosen_json(*s.chosen);
   if (!s.has_counts) return json.dump(2) + "\n";
   json["bytes"] = s.counts.bytes;
   json["objects"] = s.counts.objects;

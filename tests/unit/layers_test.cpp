@@ -34,9 +34,11 @@ const std::map<std::string, std::set<std::string>>& allowed() {
        {"tracer/formulas", "tracer/scene", "tracer/image", "tracer/textbook", "tracer/engine", "exporters",
         "references/metrics"}},
       {"references/report", {"tracer/image", "references"}},
+      {"references/needs",
+       {"tracer/formulas", "tracer/scene", "tracer/image", "tracer/textbook", "tracer/engine", "references"}},
       {"references/cli",
        {"tracer/formulas", "tracer/scene", "tracer/image", "tracer/textbook", "tracer/engine", "exporters",
-        "references", "references/diagnosis", "references/faults", "references/metrics",
+        "references", "references/diagnosis", "references/faults", "references/metrics", "references/needs",
         "references/report"}}};
   return table;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "tracer/engine/bounds.hpp"
@@ -37,7 +38,7 @@ class Compiler {
  public:
   Compiler(const Scene& scene, const Settings& settings) : scene_(scene), counts_(count_instances(scene)) {
     count_parents(settings);
-    add_materials_and_lights();
+    add_lights();
     out_.groups.emplace_back();
     compile_group(0, scene.roots());
     out_.has_few_objects =
@@ -65,15 +66,12 @@ class Compiler {
     }
   }
 
-  void add_materials_and_lights() {
-    const Rgb<double> ambient = scene_.ambient;
-    for (const plumb::Material& m : scene_.materials) {
-      out_.materials.push_back({Rgb<Real>(ambient * m.ka), Rgb<Real>(m.kd), Rgb<Real>(m.ks),
-                                static_cast<Real>(m.m), Rgb<Real>(m.mirror), Rgb<Real>(m.transmit),
-                                static_cast<Real>(m.eta)});
+  void add_lights() {
+    places_of_materials_.assign(scene_.materials.size(), no_place);
+    for (const plumb::Light& l : scene_.lights) {
+      if (l.intensity() != Rgb<double>(0))
+        out_.lights.push_back({Vec3<Real>(l.position), Rgb<Real>(l.intensity())});
     }
-    for (const plumb::Light& l : scene_.lights)
-      out_.lights.push_back({Vec3<Real>(l.position), Rgb<Real>(l.intensity())});
     out_.background = Rgb<Real>(scene_.background);
   }
 
@@ -113,10 +111,22 @@ class Compiler {
     }
   }
 
+  /// Materials come in the order in which they are first used; those of no shape are left out.
+  std::uint32_t place_of(MaterialId id) {
+    std::uint32_t& place = places_of_materials_[id];
+    if (place != no_place) return place;
+    place = static_cast<std::uint32_t>(out_.materials.size());
+    const plumb::Material& m = scene_.materials[id];
+    out_.mirrors |= m.mirrors();
+    out_.transmits |= m.transmits();
+    out_.materials.push_back({Rgb<Real>(scene_.ambient * m.ka), Rgb<Real>(m.kd), Rgb<Real>(m.ks),
+                              static_cast<Real>(m.m), Rgb<Real>(m.mirror), Rgb<Real>(m.transmit),
+                              static_cast<Real>(m.eta)});
+    return place;
+  }
+
   Label label_of(std::uint64_t instance, MaterialId material) {
-    out_.mirrors |= scene_.materials[material].mirrors();
-    out_.transmits |= scene_.materials[material].transmits();
-    return {static_cast<std::uint32_t>(instance), static_cast<std::uint32_t>(material)};
+    return {static_cast<std::uint32_t>(instance), place_of(material)};
   }
 
   void add_sphere(const plumb::Sphere& sphere, const Placement& here, bool is_identity,
@@ -283,6 +293,8 @@ class Compiler {
   std::vector<std::uint64_t> counts_;
   std::vector<std::uint32_t> parents_;
   std::map<ShapeId, Known> groups_;
+  static constexpr std::uint32_t no_place = std::numeric_limits<std::uint32_t>::max();
+  std::vector<std::uint32_t> places_of_materials_;  // by MaterialId
   bool is_large_ = false;
   CompiledScene<Real> out_;
 };

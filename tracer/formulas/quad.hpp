@@ -3,6 +3,7 @@
 
 #include <limits>
 #include <numbers>
+#include <type_traits>
 
 // Of GCC's libquadmath. Its header is GCC's own; other compilers that know the type do not find it.
 extern "C" {

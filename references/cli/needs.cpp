@@ -1,0 +1,70 @@
+#include <cstdio>
+#include <memory>
+
+#include "references/cli/commands.hpp"
+#include "references/cli/needs_report.hpp"
+#include "references/cli/options.hpp"
+#include "references/cli/progress.hpp"
+#include "tracer/scene/reader.hpp"
+
+namespace plumb::cli {
+namespace {
+
+/// So many pixels are rendered some twenty times.
+constexpr std::int64_t most_pixels = std::int64_t{1} << 22;
+
+struct Options {
+  std::string scene;
+  std::string json;
+  double error = 1e-6;
+  SceneOptions common;
+};
+
+RenderJob job_of(const Options& options, const references::Size& size) {
+  const std::int64_t pixels = std::int64_t{size.width} * size.height;
+  if (pixels > most_pixels)
+    throw std::invalid_argument("found " + std::to_string(pixels) + " pixels, expected at most " +
+                                std::to_string(most_pixels) +
+                                ", because the picture is rendered many times; choose a smaller --size");
+  RenderJob job;
+  job.width = size.width;
+  job.height = size.height;
+  job.options = render_options_of(options.common);
+  return job;
+}
+
+int run_needs(const Options& options) {
+  const Scene scene = load_scene(options.scene, dialect_of(options.common), warn);
+  const View view = view_of(scene, options.common);
+  RenderJob job = job_of(options, view.size);
+  Progress progress("looking at " + options.scene);
+  job.progress = [&](double fraction) { progress.show(fraction); };
+  const NeedsReport report{options.scene,   scene,
+                           view.size.width, view.size.height,
+                           options.error,   references::needs_of(scene, view.camera, job, options.error)};
+  progress.clear();
+  if (options.json != "-") std::printf("%s", as_text(report).c_str());
+  if (!options.json.empty()) write_json(options.json, to_json(report));
+  return exit_agrees;
+}
+
+}  // namespace
+
+Command add_needs(CLI::App& plumb) {
+  CLI::App* app = plumb.add_subcommand(
+      "needs",
+      "List what a scene's picture needs: features, real type, depth, objects; and what each costs.");
+  auto options = std::make_shared<Options>();
+  app->add_option("SCENE", options->scene, "scene file")->required();
+  add_error(*app, options->error, "largest error of a linear component, relative above 1, that is to be kept")
+      ->capture_default_str();
+  app->add_option("--json", options->json, "write the same as JSON; - is standard output")->type_name("FILE");
+  add_scene_options(*app, options->common);
+  app->footer(
+      "Example: plumb needs tests/scenes/combined-still-life.sdf\n"
+      "Errors are measured, against 113 bits on some pixels: it is said on how many. plumb render --error E\n"
+      "picks the cheapest of what suffices. Exit codes: 0 listed, 2 trouble.");
+  return {app, [options] { return run_needs(*options); }};
+}
+
+}  // namespace plumb::cli
