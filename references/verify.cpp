@@ -91,6 +91,7 @@ class SceneVerifier {
     result_.seconds_ours = cpu_seconds(threads_ > 1) - before;
     const AttributionJob whole = job(scene_, options_.render, reference, ours);
     judge(whole, result_);
+    if (options_.judge) add_judgement(whole);
     if (!reference.warnings.empty()) add_message(result_, "POV-Ray warns: " + reference.warnings);
     add_message(result_, reservations(ours, warnings));
     if (options_.keeps_pictures) result_.pictures = pictures_of(whole, result_.comparison, result_.budget);
@@ -129,6 +130,11 @@ class SceneVerifier {
       // The verdict stands without the figure.
     }
     add_message(result_, "rendered with --real float" + by + "; try --real double");
+  }
+
+  void add_judgement(const AttributionJob& whole) {
+    result_.judgement = judge_pixels(whole);
+    add_message(result_, result_.judgement->note());
   }
 
   void compare_term(TermResult& result) const {

@@ -9,6 +9,7 @@
 
 #include "references/attribution.hpp"
 #include "references/comparison.hpp"
+#include "references/judgement.hpp"
 #include "references/metrics/metrics.hpp"
 #include "references/pictures.hpp"
 #include "references/renderer.hpp"
@@ -42,10 +43,11 @@ struct PictureOptions {
 };
 
 struct VerifyOptions : PictureOptions {
-  bool stored = false;                                ///< compare with stored images, start no POV-Ray
-  int jobs = 0;                                       ///< scenes at once; 0: as many as keep the machine busy
-  double time_limit_seconds = 600;                    ///< for one run of POV-Ray
-  bool terms = false;                                 ///< also compare each term of the shading alone
+  bool stored = false;              ///< compare with stored images, start no POV-Ray
+  int jobs = 0;                     ///< scenes at once; 0: as many as keep the machine busy
+  double time_limit_seconds = 600;  ///< for one run of POV-Ray
+  bool terms = false;               ///< also compare each term of the shading alone
+  bool judge = false;               ///< also say, of each pixel over, who is wrong; the status stays as it is
   std::function<void(const std::string&)> on_notice;  ///< called first, when there is one; may be empty
   /// Renders our side in place of `renderer`, to be judged; may be empty.
   std::function<Image(const Scene&, const Camera&, const RenderJob&)> render_ours;
@@ -69,10 +71,11 @@ struct SceneResult {
   Comparison comparison;
   Metrics metrics;  ///< the cheap ones
   Budget budget;
-  std::vector<TermResult> terms;  ///< all, when they were asked for
-  double seconds_ours = 0;        ///< of CPU time
-  double seconds_reference = 0;   ///< of CPU time, when it was rendered
-  bool cached = false;            ///< or stored: the reference was not rendered now
+  std::vector<TermResult> terms;       ///< all, when they were asked for
+  std::optional<Judgement> judgement;  ///< when it was asked for
+  double seconds_ours = 0;             ///< of CPU time
+  double seconds_reference = 0;        ///< of CPU time, when it was rendered
+  bool cached = false;                 ///< or stored: the reference was not rendered now
   bool stored = false;
   std::shared_ptr<const Pictures> pictures;  ///< when they are kept, and it was rendered
 };

@@ -41,6 +41,21 @@ std::string terms_text(const std::vector<references::TermResult>& terms) {
   return text;
 }
 
+constexpr references::Verdict all_verdicts[] = {
+    references::Verdict::ours_wrong, references::Verdict::reference_wrong, references::Verdict::both_wrong,
+    references::Verdict::undecided};
+
+/// E.g. "ours wrong 0, reference wrong 12, both wrong 0, undecided 3".
+std::string judgement_text(const references::Judgement& judgement) {
+  std::string text;
+  for (const references::Verdict verdict : all_verdicts) {
+    std::string name = to_string(verdict);
+    std::replace(name.begin(), name.end(), '_', ' ');
+    text += formatted("%s%s %zu", text.empty() ? "" : ", ", name.c_str(), judgement.count(verdict));
+  }
+  return text;
+}
+
 /// What the scene has none of differs by nothing; what could not be compared has no figures.
 Json to_json(const references::TermResult& t) {
   if (t.in_scene && !t.comparison)
@@ -74,6 +89,7 @@ Json scene_json(const SceneResult& r) {
   json["unexamined"] = r.budget.unexamined;
   json["shapes"] = r.budget.shapes;
   for (const references::TermResult& t : r.terms) json["terms"][references::to_string(t.term)] = to_json(t);
+  if (r.judgement) json["judgement"] = plumb::cli::to_json(*r.judgement);
   json["seconds"] = {{"ours", r.seconds_ours}, {"reference", r.seconds_reference}};
   json["cached"] = r.cached;
   return json;
@@ -84,6 +100,22 @@ Json to_json(const references::Budget& budget) {
   for (std::size_t i = 0; i < references::cause_count; ++i) {
     const auto cause = static_cast<references::Cause>(i);
     json[references::to_string(cause)] = budget.count(cause);
+  }
+  return json;
+}
+
+Json to_json(const references::Judgement& judgement) {
+  Json json;
+  for (const references::Verdict verdict : all_verdicts) json[to_string(verdict)] = judgement.count(verdict);
+  json["not_judged"] = judgement.not_judged;
+  Json& pixels = json["pixels"] = Json::array();
+  for (const references::JudgedPixel& p : judgement.pixels) {
+    pixels.push_back({{"x", p.x},
+                      {"y", p.y},
+                      {"verdict", to_string(p.verdict)},
+                      {"ours", p.ours},
+                      {"reference", p.reference},
+                      {"oracle", {p.oracle.x, p.oracle.y, p.oracle.z}}});
   }
   return json;
 }
@@ -170,6 +202,8 @@ std::string table_row(const SceneResult& r, std::size_t width) {
   }
   row += std::string(to_string(r.status)) + (r.stored ? " (stored)" : r.cached ? " (cached)" : "");
   if (!r.terms.empty()) row += "\n      largest error of each term:" + terms_text(r.terms);
+  if (r.judgement && r.comparison.pixels_over > 0)
+    row += "\n      judged in 113 bits: " + judgement_text(*r.judgement);
   if (!r.message.empty()) row += "\n      " + indented(r.message);
   return row;
 }

@@ -18,6 +18,10 @@ Json to_json(const references::Comparison& comparison);
 /// The pixels of each cause; the sum is pixels_over.
 Json to_json(const references::Budget& budget);
 
+/// The pixels of each verdict, those not judged, and "pixels": x, y, verdict, ours, reference, oracle of
+/// each.
+Json to_json(const references::Judgement& judgement);
+
 /// One of the "scenes" of a report.
 Json scene_json(const references::SceneResult& result);
 

@@ -19,6 +19,7 @@ struct Options {
   double tolerance = 1e-6;
   bool stored = false;
   bool terms = false;
+  bool judge = false;
   int jobs = 0;
   SceneOptions common;
 };
@@ -29,6 +30,7 @@ references::VerifyOptions verify_options(const Options& options) {
       picture_options(options.common, options.tolerance, !options.report.empty());
   verify.stored = options.stored;
   verify.terms = options.terms;
+  verify.judge = options.judge;
   verify.jobs = options.jobs;
   verify.on_notice = warn;
   return verify;
@@ -79,6 +81,10 @@ Command add_verify(CLI::App& plumb) {
       "--terms", options->terms,
       "also compare ambient, diffuse, specular, shadow, mirror and refraction, each alone, and say in "
       "which one a difference lives");
+  app->add_flag(
+      "--judge", options->judge,
+      "also settle in 113 bits, for each pixel over the tolerance, whether ours is wrong, the "
+      "reference, or both, or the scene's own last digits leave it open; the result stays as it is");
   app->add_option("--jobs", options->jobs, "scenes at once; default: as many as keep the machine busy")
       ->type_name("N")
       ->check(CLI::Range(1, 256));

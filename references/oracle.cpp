@@ -1,0 +1,192 @@
+#include "references/oracle.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <utility>
+
+#include "references/comparison.hpp"
+#include "references/perturbation.hpp"
+#include "references/ray_tree.hpp"
+
+namespace plumb::references {
+namespace {
+
+/// Of a number's size: what a few correct roundings leave open.
+constexpr double last_digits = 4 * 0x1p-53;
+
+/// A unit of Work in Quad, which libgcc computes, instead of double.
+constexpr double units_of_quad = 30;
+constexpr double units_of_shading = 20;
+constexpr double units_of_shape = 50;
+
+double size_of(const Vec3d& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+
+/// Moves numbers one way or the other, the same way every time for a pattern.
+class Mover {
+ public:
+  explicit Mover(int pattern) : random_(static_cast<std::uint32_t>(pattern) + 1) {}
+
+  void move(double& number) { number += either(std::abs(number)); }
+  void move_each(Vec3d& numbers) {
+    for (int axis = 0; axis < 3; ++axis) move(numbers[axis]);
+  }
+  void move(Vec3d& place, double size) { place += Vec3d(either(size), either(size), either(size)); }
+  void move(Vec3d& place) { move(place, size_of(place)); }
+
+  void operator()(Sphere& sphere) {
+    const double size = std::max(size_of(sphere.center), sphere.radius);
+    move(sphere.center, size);
+    move(sphere.radius);
+  }
+  void operator()(Box& box) {
+    const double size = std::max(size_of(box.min), size_of(box.max));
+    move(box.min, size);
+    move(box.max, size);
+    box.max = glm::max(box.min, box.max);
+  }
+  void operator()(const Composite&) {}
+
+  void operator()(Translate& step) { move(step.by); }
+  void operator()(Rotate& step) {
+    move(step.degrees);
+    move(step.axis);
+  }
+  void operator()(Scale& step) { move_each(step.by); }
+
+ private:
+  double either(double size) { return (random_() & 1U) != 0 ? last_digits * size : -last_digits * size; }
+
+  std::mt19937 random_;
+};
+
+/// Ends a pixel that has too many rays, and counts the work.
+class QuadLimit : public textbook::NoObserver<Quad> {
+ public:
+  QuadLimit(double units_of_ray, Work& work)
+      : units_of_ray_(units_of_ray), work_(&work), rays_(std::make_shared<std::size_t>(0)) {}
+
+  bool ray_begins(textbook::RayKind, const Ray<Quad>&, int) const {
+    work_->spend(units_of_ray_);
+    return ++*rays_ <= most_rays_of_pixel;
+  }
+  bool take_is_cut() const { return std::exchange(*rays_, 0) > most_rays_of_pixel; }
+
+ private:
+  double units_of_ray_;
+  Work* work_;
+  std::shared_ptr<std::size_t> rays_;  // of the pixel, counted by all copies
+};
+
+double units_of_ray(const Scene& scene, textbook::InstanceId instances) {
+  return units_of_quad * (units_of_shading + static_cast<double>(instances)) *
+         static_cast<double>(1 + scene.lights.size());
+}
+
+}  // namespace
+
+Scene with_other_last_digits(const Scene& scene, int pattern) {
+  Scene moved = with_instances_apart(scene);
+  Mover mover(pattern);
+  for (Shape& shape : moved.shapes) {
+    std::visit(mover, shape.geometry);
+    for (TransformStep& step : shape.transform) std::visit(mover, step);
+  }
+  for (Light& light : moved.lights) mover.move(light.position);
+  return moved;
+}
+
+Camera with_other_last_digits(const Camera& camera, int pattern) {
+  Camera moved = camera;
+  Mover mover(~pattern);  // not as the first shape is moved
+  mover.move(moved.eye);
+  mover.move(moved.direction);
+  mover.move(moved.up);
+  mover.move(moved.fov_x_degrees);
+  for (TransformStep& step : moved.transform) std::visit(mover, step);
+  return moved;
+}
+
+Colour to_colour(const Rgb<Quad>& c) {
+  return {static_cast<float>(c.x), static_cast<float>(c.y), static_cast<float>(c.z)};
+}
+
+bool Answers::is_decided(double tolerance) const {
+  return is_within(least.data(), most.data(), tolerance) && is_within(most.data(), least.data(), tolerance);
+}
+
+bool Answers::allow(const float* value, double tolerance) const {
+  Colour nearest{};
+  for (std::size_t c = 0; c < nearest.size(); ++c) nearest[c] = std::clamp(value[c], least[c], most[c]);
+  return is_within(nearest.data(), value, tolerance);
+}
+
+void Answers::include(const Colour& colour) {
+  for (std::size_t c = 0; c < colour.size(); ++c) {
+    least[c] = std::min(least[c], colour[c]);
+    most[c] = std::max(most[c], colour[c]);
+  }
+}
+
+class Oracle::View {
+ public:
+  View(Scene scene, const Camera& camera, const Oracle& of)
+      : scene_(std::move(scene)),
+        world_(scene_, {}),
+        limit_(units_of_ray(scene_, world_.instances()), of.work_),
+        tracer_(world_, camera, of.width_, of.height_, of.options_, limit_) {
+    of.work_.spend(units_of_quad * units_of_shape * static_cast<double>(scene_.shapes.size()));
+  }
+
+  std::optional<Rgb<Quad>> at(int x, int y) const {
+    const Rgb<Quad> colour = tracer_.raycast(x, y);
+    if (limit_.take_is_cut()) return std::nullopt;
+    return colour;
+  }
+
+ private:
+  using Formulas = textbook::LectureFormulas<Quad>;
+
+  Scene scene_;
+  textbook::World<Quad, Formulas> world_;
+  QuadLimit limit_;
+  textbook::Tracer<Quad, Formulas, QuadLimit> tracer_;
+};
+
+Oracle::Oracle(const Scene& scene, const Camera& camera, int width, int height, const RenderOptions& options,
+               Work& work)
+    : scene_(scene),
+      camera_(camera),
+      width_(width),
+      height_(height),
+      options_(options),
+      work_(work),
+      as_written_(std::make_unique<View>(scene, camera, *this)),
+      moved_(patterns) {}
+
+Oracle::~Oracle() = default;
+
+std::optional<Rgb<Quad>> Oracle::colour(int x, int y) const { return as_written_->at(x, y); }
+
+std::optional<Rgb<Quad>> Oracle::colour_when_moved(int x, int y, int pattern) const {
+  auto& view = moved_[static_cast<std::size_t>(pattern)];
+  if (!view) {
+    view = std::make_unique<View>(with_other_last_digits(scene_, pattern),
+                                  with_other_last_digits(camera_, pattern), *this);
+  }
+  return view->at(x, y);
+}
+
+std::optional<Answers> Oracle::answers(int x, int y) const {
+  const auto first = colour(x, y);
+  if (!first) return std::nullopt;
+  Answers answers{to_colour(*first), to_colour(*first)};
+  for (int pattern = 0; pattern < patterns; ++pattern) {
+    const auto moved = colour_when_moved(x, y, pattern);
+    if (!moved || work_.is_over()) return std::nullopt;
+    answers.include(to_colour(*moved));
+  }
+  return answers;
+}
+
+}  // namespace plumb::references
