@@ -23,7 +23,10 @@ const std::map<std::string, std::set<std::string>>& allowed() {
       {"tracer/image/codecs", {"tracer/image"}},
       {"tracer/textbook", {"tracer/formulas", "tracer/scene", "tracer/image"}},
       {"tracer/engine", {"tracer/formulas", "tracer/scene", "tracer/image"}},
+      {"tracer/methods", {"tracer/formulas", "tracer/scene"}},
       {"exporters", {"tracer/formulas", "tracer/scene"}},
+      {"references/methods",
+       {"tracer/formulas", "tracer/scene", "tracer/image", "tracer/textbook", "tracer/methods"}},
       {"references/faults", {"tracer/formulas", "tracer/scene", "tracer/image", "tracer/textbook"}},
       {"references/metrics", {"tracer/engine"}},  // its choice of vectors alone
       {"references",
