@@ -25,6 +25,8 @@ const std::map<std::string, std::set<std::string>>& allowed() {
       {"tracer/engine", {"tracer/formulas", "tracer/scene", "tracer/image"}},
       {"tracer/methods", {"tracer/formulas", "tracer/scene"}},
       {"exporters", {"tracer/formulas", "tracer/scene"}},
+      {"references/stability",
+       {"tracer/formulas", "tracer/scene", "tracer/image", "tracer/methods", "references"}},
       {"references/methods",
        {"tracer/formulas", "tracer/scene", "tracer/image", "tracer/textbook", "tracer/methods"}},
       {"references/faults", {"tracer/formulas", "tracer/scene", "tracer/image", "tracer/textbook"}},
@@ -35,7 +37,7 @@ const std::map<std::string, std::set<std::string>>& allowed() {
       {"references/report", {"tracer/image", "references"}},
       {"references/cli",
        {"tracer/formulas", "tracer/scene", "tracer/image", "tracer/textbook", "tracer/engine", "exporters",
-        "references", "references/metrics", "references/report"}}};
+        "references", "references/metrics", "references/report", "references/stability"}}};
   return table;
 }
 
