@@ -23,12 +23,17 @@ const std::map<std::string, std::set<std::string>>& allowed() {
       {"tracer/image/codecs", {"tracer/image"}},
       {"tracer/textbook", {"tracer/formulas", "tracer/scene", "tracer/image"}},
       {"tracer/engine", {"tracer/formulas", "tracer/scene", "tracer/image"}},
+      {"tracer/methods", {"tracer/formulas", "tracer/scene"}},
       {"exporters", {"tracer/formulas", "tracer/scene"}},
       {"references/faults",
        {"tracer/formulas", "tracer/scene", "tracer/image", "tracer/textbook", "references"}},
       {"references/diagnosis",
        {"tracer/formulas", "tracer/scene", "tracer/image", "tracer/textbook", "references",
         "references/faults"}},
+      {"references/stability",
+       {"tracer/formulas", "tracer/scene", "tracer/image", "tracer/methods", "references"}},
+      {"references/methods",
+       {"tracer/formulas", "tracer/scene", "tracer/image", "tracer/textbook", "tracer/methods"}},
       {"references/metrics", {"tracer/engine"}},  // its choice of vectors alone
       {"references",
        {"tracer/formulas", "tracer/scene", "tracer/image", "tracer/textbook", "tracer/engine", "exporters",
@@ -39,7 +44,7 @@ const std::map<std::string, std::set<std::string>>& allowed() {
       {"references/cli",
        {"tracer/formulas", "tracer/scene", "tracer/image", "tracer/textbook", "tracer/engine", "exporters",
         "references", "references/diagnosis", "references/faults", "references/metrics", "references/needs",
-        "references/report"}}};
+        "references/report", "references/stability"}}};
   return table;
 }
 

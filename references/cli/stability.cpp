@@ -1,0 +1,54 @@
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+#include "references/cache.hpp"
+#include "references/cli/commands.hpp"
+#include "references/cli/options.hpp"
+#include "references/cli/progress.hpp"
+#include "references/stability/atlas.hpp"
+#include "tracer/image/files.hpp"
+
+namespace plumb::cli {
+namespace {
+
+struct Options {
+  bool quick = false;
+  std::string condition, json, report;
+};
+
+int run_stability(const Options& options) {
+  Progress progress("stability");
+  references::stability::Sweep sweep{options.quick, options.condition,
+                                     [&](double fraction) { progress.show(fraction); },
+                                     references::Cache().directory()};
+  const auto found = references::stability::stability(sweep);
+  progress.clear();
+  if (options.json != "-") std::fputs(references::stability::table_of(found).c_str(), stdout);
+  if (!options.json.empty()) write_file(options.json, references::stability::to_json(found).dump(1) + "\n");
+  if (options.report.empty()) return exit_agrees;
+  std::filesystem::create_directories(options.report);
+  write_file(options.report + "/stability.html", references::stability::page_of(found));
+  if (options.json != "-") std::printf("%s/stability.html\n", options.report.c_str());
+  return exit_agrees;
+}
+
+}  // namespace
+
+Command add_stability(CLI::App& plumb) {
+  CLI::App* app = plumb.add_subcommand(
+      "stability",
+      "Find where each method fails in each real type, as distance, scale, angle and so on grow.");
+  auto options = std::make_shared<Options>();
+  app->add_flag("--quick", options->quick, "fewer values and rays");
+  app->add_option("--condition", options->condition, "sweep this one alone")->type_name("NAME");
+  app->add_option("--json", options->json, "write all sweeps as JSON; - is standard output")
+      ->type_name("FILE");
+  app->add_option("--report", options->report, "write a page with a map of each condition")->type_name("DIR");
+  app->footer(
+      "Example: plumb stability --quick --condition distance\n"
+      "Finished rows are kept in the cache, so an interrupted run resumes. Exit codes: 0 done, 2 trouble.");
+  return {app, [options] { return run_stability(*options); }};
+}
+
+}  // namespace plumb::cli

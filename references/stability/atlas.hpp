@@ -1,0 +1,55 @@
+// The atlas of failures: where each method breaks, by which condition, in which real type.
+#pragma once
+
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace plumb::references::stability {
+
+/// The first values of the condition at which it happens to any ray; nothing within the sweep.
+struct Breaks {
+  std::optional<double> missed;       ///< a hit is lost
+  std::optional<double> ulp16;        ///< t is off by more than 16 ulp
+  std::optional<double> e6;           ///< ... by more than 1e-6 of it
+  std::optional<double> percent;      ///< ... by more than 1 %
+  std::optional<double> self_shadow;  ///< a surface meets itself
+};
+
+struct Row {
+  std::string method, real, source;
+  Breaks breaks;
+  std::string cause, remedy;                     ///< one line each
+  std::vector<std::pair<double, double>> curve;  ///< value, largest relative error; 1 for a lost or false hit
+};
+
+struct Condition {
+  std::string name, unit;
+  double last;  ///< of the sweep, which begins at 1
+  std::vector<Row> rows;
+};
+
+struct Sweep {
+  bool quick = false;
+  std::string condition;  ///< one alone; empty: all
+  std::function<void(double)> progress;
+  std::string cache;  ///< directory of finished rows; empty: none are kept
+};
+
+/// Throws std::invalid_argument, naming the conditions there are, when there is none of that name. The same
+/// sweep gives the same numbers.
+std::vector<Condition> stability(const Sweep& sweep);
+
+/// {conditions: [{name, unit, rows: [{method, real, source, breaks, cause, remedy, curve}]}]}
+nlohmann::ordered_json to_json(const std::vector<Condition>& conditions);
+
+/// A table for a terminal.
+std::string table_of(const std::vector<Condition>& conditions);
+
+/// A page that needs no network: a map a condition, methods down, the condition across.
+std::string page_of(const std::vector<Condition>& conditions);
+
+}  // namespace plumb::references::stability

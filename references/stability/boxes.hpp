@@ -1,0 +1,43 @@
+// The conditions under which rays meet boxes.
+#pragma once
+
+#include "references/stability/trial.hpp"
+#include "tracer/formulas/box.hpp"
+
+namespace plumb::references::stability {
+
+template <class Real>
+struct BoxCase {
+  Ray<Real> ray;
+  Corners<Real> box;
+};
+
+/// A plate, 1/v as thick as it is wide, seen from anywhere.
+template <class Real>
+BoxCase<Real> thin_box(double v, Random& random) {
+  const Vec3<double> half(1, 1, 1 / v);
+  const Vec3<double> eye = 4.0 * unit_vector(random);
+  Vec3<double> aim;
+  for (int i = 0; i < 3; ++i) aim[i] = 0.95 * half[i] * (2 * uniform(random) - 1);
+  return {{Vec3<Real>(eye), glm::normalize(Vec3<Real>(aim - eye))}, {Vec3<Real>(-half), Vec3<Real>(half)}};
+}
+
+/// Along x, tilted by 1/v; every fourth ray by 0, every fourth by -0; every second in the plane of a face.
+template <class Real>
+BoxCase<Real> near_parallel(double v, Random& random) {
+  const double kind = uniform(random);
+  const double tilt = kind < 0.25 ? 0.0 : kind < 0.5 ? -0.0 : 1 / v;
+  const double y = uniform(random) < 0.5 ? (uniform(random) < 0.5 ? -1.0 : 1.0) : 2 * uniform(random) - 1;
+  const Vec3<Real> origin(-3.0, static_cast<Real>(y), static_cast<Real>(0.5 * uniform(random)));
+  return {{origin, {Real(1), static_cast<Real>(y > 0 ? -tilt : tilt), Real(0)}},
+          {Vec3<Real>(-1), Vec3<Real>(1)}};
+}
+
+template <class Real, auto method, auto setting>
+Trial box_trial(double value, Random& random) {
+  const BoxCase<Real> c = setting(value, random);
+  const auto hit = method(c.ray, c.box, no_face);
+  return judged(hit ? std::optional<Real>(hit->t) : std::nullopt, true_box_hit(c.ray, c.box.min, c.box.max));
+}
+
+}  // namespace plumb::references::stability

@@ -1,0 +1,127 @@
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "references/stability/atlas.hpp"
+
+namespace plumb::references::stability {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
+
+Json json_of(const Row& row) {
+  const Breaks& b = row.breaks;
+  Json curve = Json::array();
+  for (const auto& [value, error] : row.curve) curve.push_back({value, error});
+  return {{"method", row.method},
+          {"real", row.real},
+          {"source", row.source},
+          {"breaks",
+           {{"missed", json_of(b.missed)},
+            {"ulp16", json_of(b.ulp16)},
+            {"e6", json_of(b.e6)},
+            {"percent", json_of(b.percent)},
+            {"self_shadow", json_of(b.self_shadow)}}},
+          {"cause", row.cause},
+          {"remedy", row.remedy},
+          {"curve", std::move(curve)}};
+}
+
+std::string cell(const std::optional<double>& value) {
+  std::array<char, 16> text{};
+  if (value) std::snprintf(text.data(), text.size(), "%.1e", *value);
+  return value ? text.data() : "-";
+}
+
+std::string line(const std::array<std::string, 7>& cells) {
+  std::array<char, 160> text{};
+  std::snprintf(text.data(), text.size(), "%-22s %-12s %9s %9s %9s %9s %9s\n", cells[0].c_str(),
+                cells[1].c_str(), cells[2].c_str(), cells[3].c_str(), cells[4].c_str(), cells[5].c_str(),
+                cells[6].c_str());
+  return text.data();
+}
+
+std::string escaped(const std::string& text) {
+  std::string safe;
+  for (const char c : text) safe += c == '<' ? "&lt;" : c == '&' ? "&amp;" : std::string(1, c);
+  return safe;
+}
+
+/// From exact to lost, by Okabe and Ito's palette, which colour-blind readers tell apart.
+const char* colour_of(double error) {
+  if (error <= 1e-12) return "#0072B2";
+  if (error <= 1e-6) return "#56B4E9";
+  if (error <= 0.01) return "#F0E442";
+  return error < 1 ? "#E69F00" : "#000000";
+}
+
+std::string map_row(const Row& row) {
+  std::string html = "<tr><td>" + escaped(row.method) + "</td><td>" + row.real + "</td><td class=map>";
+  for (const auto& [value, error] : row.curve) {
+    std::array<char, 160> box{};
+    std::snprintf(box.data(), box.size(), "<i style='background:%s' title='%.3g: error %.1e'></i>",
+                  colour_of(error), value, error);
+    html += box.data();
+  }
+  const Breaks& b = row.breaks;
+  html += "</td>";
+  for (const auto& value : {b.missed, b.ulp16, b.e6, b.percent, b.self_shadow})
+    html += "<td>" + cell(value) + "</td>";
+  return html + "<td>" + escaped(row.cause) + "</td><td>" + escaped(row.remedy) + "</td></tr>\n";
+}
+
+}  // namespace
+
+nlohmann::ordered_json to_json(const std::vector<Condition>& conditions) {
+  Json list = Json::array();
+  for (const Condition& condition : conditions) {
+    Json rows = Json::array();
+    for (const Row& row : condition.rows) rows.push_back(json_of(row));
+    list.push_back({{"name", condition.name}, {"unit", condition.unit}, {"rows", std::move(rows)}});
+  }
+  return {{"tool", "plumb"}, {"version", PLUMB_VERSION}, {"conditions", std::move(list)}};
+}
+
+std::string table_of(const std::vector<Condition>& conditions) {
+  std::string text;
+  for (const Condition& condition : conditions) {
+    text += condition.name + ": " + condition.unit + ", first value at which a ray fails\n";
+    text += line({"method", "real", "missed", "16 ulp", "1e-6", "1 %", "itself"});
+    for (const Row& row : condition.rows) {
+      const Breaks& b = row.breaks;
+      text += line({row.method, row.real, cell(b.missed), cell(b.ulp16), cell(b.e6), cell(b.percent),
+                    cell(b.self_shadow)});
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+std::string page_of(const std::vector<Condition>& conditions) {
+  std::string html =
+      "<!DOCTYPE html><html lang=en><meta charset=utf-8><title>Where methods fail</title><style>"
+      "body{font:14px sans-serif;margin:2em;color:#222}table{border-collapse:collapse;margin-bottom:2em}"
+      "td,th{padding:2px 6px;text-align:left;border-bottom:1px solid #ddd}.map{white-space:nowrap}"
+      ".map i,.key i{display:inline-block;width:10px;height:16px}.key span{margin-right:1.5em}</style>"
+      "<h1>Where methods fail</h1><p class=key>Largest error of t: ";
+  for (const auto& [error, words] :
+       {std::pair(0.0, "to 1e-12"), std::pair(1e-7, "to 1e-6"), std::pair(1e-3, "to 1 %"),
+        std::pair(0.1, "more"), std::pair(1.0, "hit lost, or false")})
+    html += std::string("<span><i style='background:") + colour_of(error) + "'></i> " + words + "</span>";
+  html += "</p>\n";
+  for (const Condition& condition : conditions) {
+    std::array<char, 64> range{};
+    std::snprintf(range.data(), range.size(), " 1 to %.0e, logarithmic", condition.last);
+    html += "<h2>" + condition.name + "</h2><table><tr><th>method</th><th>real</th><th>" + condition.unit +
+            range.data() +
+            "</th><th>missed</th><th>16 ulp</th><th>1e-6</th><th>1 %</th><th>meets itself</th>"
+            "<th>cause</th><th>remedy</th></tr>\n";
+    for (const Row& row : condition.rows) html += map_row(row);
+    html += "</table>\n";
+  }
+  return html + "</html>\n";
+}
+
+}  // namespace plumb::references::stability
