@@ -22,6 +22,7 @@ Command add_explain(CLI::App& plumb);
 Command add_lint(CLI::App& plumb);
 Command add_references(CLI::App& plumb);
 Command add_regress(CLI::App& plumb);
+Command add_chart(CLI::App& plumb);
 
 inline constexpr int exit_agrees = 0;
 inline constexpr int exit_differs = 1;

@@ -19,7 +19,8 @@ int run(int argc, char** argv) {
   app.footer("Example: plumb verify tests/scenes/*.sdf\nExit codes: 0 agrees, 1 differs, 2 trouble.");
   const std::vector<Command> commands{add_render(app),     add_export(app),  add_verify(app),
                                       add_compare(app),    add_explain(app), add_lint(app),
-                                      add_references(app), add_regress(app)};
+                                      add_references(app), add_regress(app),
+                                      add_chart(app)};
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -29,10 +29,13 @@ const std::map<std::string, std::set<std::string>>& allowed() {
       {"references",
        {"tracer/formulas", "tracer/scene", "tracer/image", "tracer/textbook", "tracer/engine", "exporters",
         "references/metrics"}},
+      {"references/chart",
+       {"tracer/formulas", "tracer/scene", "tracer/image", "tracer/textbook", "tracer/engine", "exporters",
+        "references"}},
       {"references/report", {"tracer/image", "references"}},
       {"references/cli",
        {"tracer/formulas", "tracer/scene", "tracer/image", "tracer/textbook", "tracer/engine", "exporters",
-        "references", "references/metrics", "references/report"}}};
+        "references", "references/chart", "references/metrics", "references/report"}}};
   return table;
 }
 
