@@ -130,19 +130,29 @@ class SceneMeasurer {
   }
 
   void measure_run(std::vector<Entry>& entries, int run) {
+    std::map<std::string, MeasuredRun> timed;
     std::optional<Cost> start;
     std::size_t done = 0;
     for (Entry& entry : entries) {
       const double part = static_cast<double>(done++) / static_cast<double>(entries.size());
       progress_(errors_end + (1 - errors_end) * (run + part) / options_.runs);
-      if (entry.measured.runs.size() > static_cast<std::size_t>(run)) continue;
-      if (entry.way.start && !start) start = cost_of([&] { entry.way.start(view_); }, tools_.counter, 0);
-      const Cost unit = cost_of([&] { yardstick_.render(view_); }, tools_.counter, least_seconds);
-      Cost cost = cost_of([&] { entry.way.render(view_); }, tools_.counter, least_seconds);
-      if (entry.way.start) cost = without_start(cost, *start);
-      entry.measured.runs.push_back({cost, unit.cpu_seconds});
-      store_measurement(entry.path, entry.measured);
+      const auto at = static_cast<std::size_t>(run);
+      std::vector<MeasuredRun>& runs = entry.measured.runs;
+      if (runs.size() <= at) {
+        const auto same = timed.find(entry.way.work);
+        runs.push_back(same == timed.end() ? time(entry.way, start) : same->second);
+        store_measurement(entry.path, entry.measured);
+      }
+      timed.emplace(entry.way.work, runs[at]);
     }
+  }
+
+  /// `start` is that of this run, once it is known.
+  MeasuredRun time(const Configuration& way, std::optional<Cost>& start) const {
+    if (way.start && !start) start = cost_of([&] { way.start(view_); }, tools_.counter, 0);
+    const Cost unit = cost_of([&] { yardstick_.render(view_); }, tools_.counter, least_seconds);
+    const Cost cost = cost_of([&] { way.render(view_); }, tools_.counter, least_seconds);
+    return {way.start ? without_start(cost, *start) : cost, unit.cpu_seconds};
   }
 
   /// Not below a hundredth of the start: less cannot be told from its own variation.

@@ -25,6 +25,7 @@ Configuration engine_way(RealType real, bool hierarchy, int samples, Truth truth
   way.id = "engine-" + std::string(name_of(real));
   way.title = "engine, " + words_of(real);
   if (!hierarchy) way.id += "-brute-force", way.title += ", no hierarchy";
+  way.work = way.id + "-" + std::to_string(samples);
   if (truth == Truth::pixel_areas) {
     way.id += "-samples-" + std::to_string(samples);
     way.title += ", " + std::to_string(samples) + (samples == 1 ? " sample" : " samples");
@@ -47,7 +48,7 @@ Configuration engine_way(RealType real, bool hierarchy, int samples, Truth truth
 
 Configuration textbook_way(RealType real) {
   Configuration way;
-  way.id = "textbook-" + std::string(name_of(real));
+  way.id = way.work = "textbook-" + std::string(name_of(real));
   way.title = "textbook, " + words_of(real);
   way.renderer = "textbook";
   way.real = name_of(real);
@@ -73,7 +74,7 @@ PovrayJob povray_job(const ChartView& view, const std::vector<std::string>& argu
 Configuration povray_way(const Povray& povray, std::string id, std::string title, PovrayOutput output,
                          std::vector<std::string> arguments) {
   Configuration way;
-  way.id = "povray-" + std::move(id);
+  way.id = way.work = "povray-" + std::move(id);
   way.title = "POV-Ray, " + std::move(title);
   way.renderer = "povray";
   way.real = "double";
@@ -100,11 +101,13 @@ Configuration antialiased(const Povray& povray, const std::string& id, const std
 
 void add_povray(const Povray& povray, std::vector<Configuration>& ways) {
   ways.push_back(povray_way(povray, "state", "state file", PovrayOutput::state, {}));
+  // One run writes both files.
   ways.push_back(povray_way(povray, "png16", "PNG16", PovrayOutput::png16, {}));
+  ways.back().work = "povray-state";
   ways.push_back(povray_way(povray, "png8", "PNG8", PovrayOutput::png8, {}));
-  Configuration once = povray_way(povray, "samples-1", "1 sample", PovrayOutput::state, {});
-  once.truth = Truth::pixel_areas;
-  ways.push_back(once);
+  ways.push_back(povray_way(povray, "samples-1", "1 sample", PovrayOutput::state, {}));
+  ways.back().work = "povray-state";
+  ways.back().truth = Truth::pixel_areas;
   ways.push_back(antialiased(povray, "aa-default", "+A0.3 +R3", "0.3", 3));
   ways.push_back(antialiased(povray, "aa-fine", "+A0.01 +R4", "0.01", 4));
 }

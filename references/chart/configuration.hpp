@@ -29,6 +29,7 @@ enum class Truth {
 /// One way. Its strings say how: null in JSON where they are empty.
 struct Configuration {
   std::string id;     ///< unique, of a-z 0-9 and -
+  std::string work;   ///< the same for those that do the same and are only judged otherwise: it is timed once
   std::string title;  ///< for a reader
   std::string renderer;
   std::string real;
