@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <map>
 #include <memory>
 #include <thread>
@@ -23,6 +24,7 @@ namespace {
 
 constexpr double tolerance = 1e-6;      // that of plumb verify
 constexpr double least_seconds = 0.02;  // of one measurement: a thousand times the clock's resolution
+constexpr double most_seconds = 5;      // what took longer in all is not run again: it varies little
 /// What is done after the truths and after the errors, of a scene's work: for progress alone.
 constexpr double truths_end = 0.25, errors_end = 0.4;
 
@@ -103,8 +105,12 @@ class SceneMeasurer {
     const std::string path =
         path_of("way " + way.id + (way.renderer == "povray" ? " " + tools_.povray_version : "")) + ".json";
     Entry entry{way, path, options_.fresh ? Measurement{} : load_measurement(path), false};
-    entry.was_complete = entry.measured.runs.size() >= static_cast<std::size_t>(options_.runs);
+    entry.was_complete = is_complete(entry.measured, options_.runs);
     return entry;
+  }
+
+  static bool is_complete(const Measurement& measured, int runs) {
+    return measured.runs.size() >= static_cast<std::size_t>(runs) || measured.seconds() > most_seconds;
   }
 
   const Image& truth(Truth which) {
@@ -120,8 +126,8 @@ class SceneMeasurer {
   void find_errors(std::vector<Entry>& entries) {
     std::size_t done = 0;
     for (Entry& entry : entries) {
-      progress_(truths_end +
-                (errors_end - truths_end) * static_cast<double>(done++) / static_cast<double>(entries.size()));
+      progress_(truths_end + (errors_end - truths_end) * static_cast<double>(done++) /
+                                 static_cast<double>(entries.size()));
       if (entry.measured.error) continue;
       const Comparison c = compare(truth(entry.way.truth), entry.way.render(view_), tolerance);
       entry.measured.error = {c.max_error, c.rms_error, c.pixels_over, c.non_finite};
@@ -136,14 +142,14 @@ class SceneMeasurer {
     for (Entry& entry : entries) {
       const double part = static_cast<double>(done++) / static_cast<double>(entries.size());
       progress_(errors_end + (1 - errors_end) * (run + part) / options_.runs);
-      const auto at = static_cast<std::size_t>(run);
       std::vector<MeasuredRun>& runs = entry.measured.runs;
-      if (runs.size() <= at) {
+      if (!is_complete(entry.measured, run + 1)) {
         const auto same = timed.find(entry.way.work);
         runs.push_back(same == timed.end() ? time(entry.way, start) : same->second);
         store_measurement(entry.path, entry.measured);
       }
-      timed.emplace(entry.way.work, runs[at]);
+      const auto at = static_cast<std::size_t>(run);
+      if (at < runs.size()) timed.emplace(entry.way.work, runs[at]);
     }
   }
 
@@ -165,8 +171,9 @@ class SceneMeasurer {
 
   ChartPoint point_of(const Entry& entry) const {
     std::vector<double> seconds, ratios, instructions;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(options_.runs); ++i) {
-      const MeasuredRun& run = entry.measured.runs[i];
+    const auto wanted = static_cast<std::size_t>(options_.runs);
+    for (const MeasuredRun& run : entry.measured.runs) {
+      if (seconds.size() == wanted) break;
       seconds.push_back(run.cost.cpu_seconds);
       ratios.push_back(run.cost.cpu_seconds / run.yardstick_seconds);
       if (run.cost.instructions) instructions.push_back(static_cast<double>(*run.cost.instructions));
@@ -174,6 +181,7 @@ class SceneMeasurer {
     ChartPoint point{entry.way, *entry.measured.error, spread_of(seconds), spread_of(ratios), std::nullopt};
     if (instructions.size() == seconds.size())
       point.instructions = static_cast<std::uint64_t>(spread_of(instructions).median);
+    point.runs = static_cast<int>(seconds.size());
     point.measured_before = entry.was_complete;
     return point;
   }
@@ -227,8 +235,8 @@ Chart measure_chart(const std::vector<std::string>& scenes, const ChartOptions& 
   Chart chart{options, {}, machine(), tools.povray_version, tools.counter.complaint()};
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     const Scene scene = load_scene(scenes[i], options.dialect, options.warn);
-    ChartView view{scene, scene.camera(options.camera.empty() ? scene.renders.front().camera : options.camera),
-                   {}};
+    ChartView view{
+        scene, scene.camera(options.camera.empty() ? scene.renders.front().camera : options.camera), {}};
     view.job.width = options.size.width;
     view.job.height = options.size.height;
     view.job.options = options.render;

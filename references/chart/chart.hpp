@@ -36,6 +36,7 @@ struct ChartPoint {
   Spread cpu_seconds;
   Spread ratio;  ///< to the fastest of the scene
   std::optional<std::uint64_t> instructions;
+  int runs = 0;                  ///< as many as asked for; fewer of what takes long
   bool pareto = false;           ///< among those held against the same truth: of the ratio and the RMS error
   bool measured_before = false;  ///< all runs come from the cache
 };
@@ -55,9 +56,9 @@ struct Chart {
 };
 
 /// Renders in one thread, run by run, every configuration once a run; and before each the yardstick, so that
-/// costs of different minutes, and of runs that were broken off and resumed, have a measure in common: a ratio
-/// is a quotient of such quotients. What is measured is kept at once, in the cache. Throws what reading scenes
-/// and rendering throw.
+/// costs of different minutes, and of runs that were broken off and resumed, have a measure in common: a
+/// ratio is a quotient of such quotients. What is measured is kept at once, in the cache. Throws what reading
+/// scenes and rendering throw.
 Chart measure_chart(const std::vector<std::string>& scenes, const ChartOptions& options);
 
 }  // namespace plumb::references

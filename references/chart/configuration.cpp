@@ -1,10 +1,9 @@
 #include "references/chart/configuration.hpp"
 
-#include <numeric>
-#include <string_view>
 #include <utility>
 
 #include "exporters/povray.hpp"
+#include "references/methods/method_sets.hpp"
 #include "tracer/engine/render.hpp"
 #include "tracer/scene/hierarchy.hpp"
 #include "tracer/textbook/render.hpp"
@@ -46,18 +45,25 @@ Configuration engine_way(RealType real, bool hierarchy, int samples, Truth truth
   return way;
 }
 
-Configuration textbook_way(RealType real) {
+Configuration textbook_way(const MethodSet& methods, RealType real) {
   Configuration way;
-  way.id = way.work = "textbook-" + std::string(name_of(real));
+  way.id = "textbook-" + std::string(name_of(real));
   way.title = "textbook, " + words_of(real);
+  if (&methods != &method_sets().front()) {
+    way.id += "-" + std::string(methods.id);
+    way.title += ", " + std::string(methods.id);
+  }
+  way.work = way.id;
   way.renderer = "textbook";
   way.real = name_of(real);
-  way.methods = "lecture";
+  way.methods = methods.id;
   way.hierarchy = false;
-  way.render = [real](const ChartView& view) {
+  way.render = [&methods, real](const ChartView& view) {
     RenderJob job = view.job;
     job.real = real;
-    return textbook::render(view.scene, view.camera, job);
+    // Its formulas known to the compiler: the tracer that users run.
+    if (&methods == &method_sets().front()) return textbook::render(view.scene, view.camera, job);
+    return render_with_methods(methods, view.scene, view.camera, job);
   };
   return way;
 }
@@ -130,8 +136,11 @@ std::vector<Configuration> configurations(const Scene& scene, const Povray* povr
     ways.push_back(engine_way(real, true, 1, Truth::pixel_centres));
     if (without_hierarchy) ways.push_back(engine_way(real, false, 1, Truth::pixel_centres));
   }
-  for (const RealType real : {RealType::float32, RealType::float64, RealType::long_double})
-    ways.push_back(textbook_way(real));
+  for (const MethodSet& methods : method_sets()) {
+    for (const RealType real : {RealType::float32, RealType::float64})
+      ways.push_back(textbook_way(methods, real));
+  }
+  ways.push_back(textbook_way(method_sets().front(), RealType::long_double));
   for (const RealType real : {RealType::float32, RealType::float64}) {
     for (const int samples : {1, 4, 16}) ways.push_back(engine_way(real, true, samples, Truth::pixel_areas));
   }

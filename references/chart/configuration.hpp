@@ -35,7 +35,7 @@ struct Configuration {
   std::string real;
   std::string methods;
   std::optional<bool> hierarchy;
-  int samples = 1;  ///< of a pixel at most: POV-Ray takes more only where neighbours differ
+  int samples = 1;     ///< of a pixel at most: POV-Ray takes more only where neighbours differ
   std::string output;  ///< what POV-Ray's picture is read from
   Truth truth = Truth::pixel_centres;
   std::function<Image(const ChartView&)> render;

@@ -30,8 +30,8 @@ class InstructionCounter {
   const char* complaint_ = "";
 };
 
-/// Does the work again and again until it took `least_seconds` of processor time, and returns the mean: clocks
-/// are coarse, and small pictures take less than a millisecond.
+/// Does the work again and again until it took `least_seconds` of processor time, and returns the mean:
+/// clocks are coarse, and small pictures take less than a millisecond.
 Cost cost_of(const std::function<void()>& work, const InstructionCounter& counter, double least_seconds);
 
 }  // namespace plumb::references

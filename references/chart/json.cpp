@@ -31,6 +31,7 @@ Json json_of(const ChartPoint& point) {
           {"samples", way.samples},
           {"output", or_null(way.output)},
           {"against", name_of(way.truth)},
+          {"runs", point.runs},
           {"cpu_seconds", json_of(point.cpu_seconds)},
           {"ratio", json_of(point.ratio)},
           {"instructions", or_null(point.instructions)},

@@ -26,6 +26,12 @@ Json json_of(const MeasuredRun& run) {
 
 }  // namespace
 
+double Measurement::seconds() const {
+  double sum = 0;
+  for (const MeasuredRun& run : runs) sum += run.cost.cpu_seconds;
+  return sum;
+}
+
 Measurement load_measurement(const std::string& path) {
   if (!std::filesystem::is_regular_file(path)) return {};
   try {

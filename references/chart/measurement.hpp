@@ -26,6 +26,8 @@ struct MeasuredRun {
 struct Measurement {
   std::optional<ErrorFigures> error;
   std::vector<MeasuredRun> runs;
+
+  double seconds() const;  ///< of processor time, of all runs
 };
 
 /// Nothing measured when there is no such file, or a damaged one.

@@ -37,6 +37,19 @@ def least_gap(wanted, gap, low, high):
     return [min(max(place, low), top) + index * gap for index, place in enumerate(free)]
 
 
+def drawn(points):
+    """Of textbook tracers in one real type that make pictures of the same error, one: sets that a scene has no use for."""
+    groups = {}
+    for point in points:
+        same = json.dumps(point["error"]) + point["real"] if point["renderer"] == "textbook" else point["id"]
+        groups.setdefault(same, []).append(point)
+    for alike in groups.values():
+        lecture = next((p for p in alike if p["methods"] == "lecture"), alike[0])
+        shown = next((p for p in alike if p["pareto"]), lecture)
+        others = f" + {len(alike) - 1} alike" if len(alike) > 1 else ""
+        yield {**shown, "title": shown["title"] + others}
+
+
 def label_of(point, counts):
     title = point["title"]
     if counts:
@@ -122,7 +135,7 @@ def rows_of(chart):
 
 
 def height_of(scene):
-    count = max(sum(p["against"] == against for p in scene["points"]) for against in COLUMNS)
+    count = max(sum(p["against"] == against for p in drawn(scene["points"])) for against in COLUMNS)
     return max(1.7, count * LABEL_STEP)
 
 
@@ -132,7 +145,7 @@ def draw_scene(figure, scene, left, bottom, height, titles):
     for column, against in enumerate(COLUMNS):
         at = (left + 0.65 + 5.3 * column) / width
         axes = figure.add_axes([at, bottom / total, 2.55 / width, height / total])
-        points = [p for p in scene["points"] if p["against"] == against]
+        points = [p for p in drawn(scene["points"]) if p["against"] == against]
         draw_panel(axes, points, against)
         axes.set_xlabel("processor time, times that of the fastest", labelpad=2)
         if titles:

@@ -84,7 +84,8 @@ int run_chart(Options options) {
 
 Command add_chart(CLI::App& plumb) {
   CLI::App* app = plumb.add_subcommand(
-      "chart", "Chart speed against accuracy: every way to render scenes, what it costs and how far it is off.");
+      "chart",
+      "Chart speed against accuracy: every way to render scenes, what it costs and how far it is off.");
   auto options = std::make_shared<Options>();
   options->common.size = "160x120";
   app->add_option("SCENE", options->scenes, "scene files; up to 10 make a readable page")
@@ -104,7 +105,8 @@ Command add_chart(CLI::App& plumb) {
   app->footer(
       "Example: plumb chart tests/scenes/combined-still-life.sdf tests/scenes/mirror.sdf --svg chart.svg\n"
       "Without --json, --svg and --png: chart.json, chart.svg and chart.png in the current directory.\n"
-      "Errors are counted from the textbook tracer in 113 bits; those of several samples a pixel from 1024 of "
+      "Errors are counted from the textbook tracer in 113 bits; those of several samples a pixel from 1024 "
+      "of "
       "them.\n"
       "Every run is kept in $PLUMB_CACHE (default ~/.cache/plumb), so a chart that was broken off goes on.\n"
       "Needs python3-matplotlib to draw.\n"

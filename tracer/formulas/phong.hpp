@@ -95,6 +95,14 @@ Rgb<Real> with_light(const Rgb<Real>& so_far, [[maybe_unused]] const Rgb<Real>& 
   return so_far + light;
 }
 
+/// No slide, a decision: a mirrored or refracted ray starts at the point itself, because it knows the surface
+/// that it leaves.
+template <class Real>
+Vec3<Real> secondary_origin(const Vec3<Real>& point, [[maybe_unused]] const Vec3<Real>& n,
+                            [[maybe_unused]] const Vec3<Real>& direction) {
+  return point;
+}
+
 /// The way from a lit point to a light.
 template <class Real>
 struct ShadowRay {

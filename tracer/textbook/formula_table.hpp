@@ -53,6 +53,7 @@ struct FormulaTable {
   decltype(&formulas::may_block) may_block = &formulas::may_block;
   decltype(&formulas::blocks_light<Real>) blocks_light = &formulas::blocks_light<Real>;
   // Spiegelung, Brechung
+  decltype(&formulas::secondary_origin<Real>) secondary_origin = &formulas::secondary_origin<Real>;
   decltype(&formulas::mirror_direction<Real>) mirror_direction = &formulas::mirror_direction<Real>;
   decltype(&formulas::refracted_direction<Real>) refracted_direction = &formulas::refracted_direction<Real>;
   decltype(&formulas::combined_colour<Real>) combined_colour = &formulas::combined_colour<Real>;

@@ -74,7 +74,7 @@ class Tracer {
       colour = f_->with_light(colour, ambient, lit_by(light, point, n, v, hit, material));
     if (!material.transmits && !material.mirrors) return colour;
 
-    const Ray<Real> mirrored{point, f_->mirror_direction(ray.direction, n)};
+    const Ray<Real> mirrored = leave(point, n, f_->mirror_direction(ray.direction, n));
     Rgb<Real> refracted(0);
     if (material.transmits) {
       Interiors<Real> beyond = interiors;
@@ -83,13 +83,17 @@ class Tracer {
       if (!bent)
         return f_->colour_at_total_reflection(
             colour, trace(RayKind::totally_reflected, mirrored, hit.surface, interiors, depth + 1));
-      refracted = ratio == 1 ? go_on_unbent({point, *bent}, hit.surface, beyond, depth, unbent)
-                             : trace(RayKind::refracted, {point, *bent}, hit.surface, beyond, depth + 1);
+      refracted = ratio == 1 ? go_on_unbent(leave(point, n, *bent), hit.surface, beyond, depth, unbent)
+                             : trace(RayKind::refracted, leave(point, n, *bent), hit.surface, beyond, depth + 1);
     }
     const Rgb<Real> reflected = material.mirrors
                                     ? trace(RayKind::mirrored, mirrored, hit.surface, interiors, depth + 1)
                                     : Rgb<Real>(0);
     return f_->combined_colour(colour, material.mirror, reflected, material.transmit, refracted);
+  }
+
+  Ray<Real> leave(const Vec3<Real>& point, const Vec3<Real>& n, const Vec3<Real>& direction) const {
+    return {f_->secondary_origin(point, n, direction), direction};
   }
 
   /// Diffuse and specular light of one source; black when it is behind the surface or hidden.
