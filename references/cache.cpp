@@ -47,6 +47,7 @@ std::optional<std::string> read_if_there(const std::string& path) {
 std::string key_of(const PovrayJob& job, const std::string& version) {
   std::string all = "povray " + version;
   for (const std::string& argument : povray_arguments(job)) all += " " + argument;
+  if (job.output == PovrayOutput::png16) all += " read from its PNG";  // of the same arguments
   return sha256(all + "\n" + job.text);
 }
 

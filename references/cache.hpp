@@ -15,6 +15,8 @@ class Cache {
   Cache();
   explicit Cache(std::string directory) : directory_(std::move(directory)) {}
 
+  const std::string& directory() const { return directory_; }
+
   /// Version of a povray program; asks it only when the file at its path is another than last time.
   std::string version_of(const Povray& povray) const;
 

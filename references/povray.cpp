@@ -65,7 +65,7 @@ std::string why_it_failed(const ProcessResult& result, const PovrayJob& job) {
          (said.empty() ? "it gave no reason" : said);
 }
 
-Image read_png16(const std::string& path, const PovrayJob& job) {
+Image read_png(const std::string& path, const PovrayJob& job) {
   const ImageFile file = read_image(path);
   if (file.width != job.width || file.height != job.height || file.channels != 3) {
     throw std::runtime_error("its PNG has another size or channel count than asked for");
@@ -79,7 +79,7 @@ Image read_png16(const std::string& path, const PovrayJob& job) {
 void fall_back_to_png(const std::string& path, const PovrayJob& job, const std::string& why,
                       PovrayPicture& picture) {
   try {
-    picture.image = read_png16(path, job);
+    picture.image = read_png(path, job);
   } catch (const std::runtime_error& error) {
     throw PovrayError("POV-Ray left no usable picture: " + why + "; " + error.what());
   }
@@ -95,7 +95,7 @@ std::vector<std::string> povray_arguments(const PovrayJob& job) {
                                      "+Oout.png",
                                      "+W" + std::to_string(job.width),
                                      "+H" + std::to_string(job.height),
-                                     "+FN16",
+                                     job.output == PovrayOutput::png8 ? "+FN8" : "+FN16",
                                      "-D",
                                      "-A",
                                      "File_Gamma=1.0",
@@ -103,6 +103,7 @@ std::vector<std::string> povray_arguments(const PovrayJob& job) {
                                      "-GD",
                                      "-GR"};
   if (job.without_bounding) arguments.emplace_back("-MB");
+  arguments.insert(arguments.end(), job.more_arguments.begin(), job.more_arguments.end());
   return arguments;
 }
 
@@ -142,6 +143,11 @@ PovrayPicture Povray::render(const PovrayJob& job) const {
   PovrayPicture picture;
   picture.cpu_seconds = result.cpu_seconds;
   picture.warnings = lines_with(result.output, {"Warning"}, job.text);
+  if (job.output != PovrayOutput::state) {
+    picture.image = read_png(directory.path() + "/out.png", job);
+    picture.precision = job.output == PovrayOutput::png16 ? "png16" : "png8";
+    return picture;
+  }
   try {
     picture.image = read_povray_state(read_file(state), job.width, job.height);
     picture.precision = "float32";

@@ -15,18 +15,27 @@ class PovrayError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Which of POV-Ray's files its picture is read from.
+enum class PovrayOutput {
+  state,  ///< float32
+  png16,  ///< clamped at 1, linear
+  png8    ///< the same in 8 bits
+};
+
 struct PovrayJob {
   std::string text;  ///< SDL
   int width;
   int height;
   bool without_bounding = false;  ///< -MB
   double time_limit_seconds = 600;
+  std::vector<std::string> more_arguments{};  ///< after all others, which they override
+  PovrayOutput output = PovrayOutput::state;
 };
 
 struct PovrayPicture {
   Image image;
   double cpu_seconds = 0;
-  std::string precision;  ///< "float32", or "png16" when the state file could not be used
+  std::string precision;  ///< "float32", "png16" (when the state file could not be used, too), or "png8"
   std::string warnings;   ///< what POV-Ray warned of, a line each; empty when nothing
 };
 

@@ -40,7 +40,11 @@ const std::vector<CommandHelp>& all_commands() {
       {"regress",
        {"d"},
        {"--update", "--because", "--junit", "--json", "--tolerance", "--threads", "--real", "--size",
-        "--camera", "--depth", "--glass-shadow", "--dialect"}}};
+        "--camera", "--depth", "--glass-shadow", "--dialect"}},
+      {"chart",
+       {"s.sdf"},
+       {"--json", "--svg", "--png", "--runs", "--fresh", "--size", "--camera", "--depth", "--glass-shadow",
+        "--dialect"}}};
   return commands;
 }
 

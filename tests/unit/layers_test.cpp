@@ -38,13 +38,16 @@ const std::map<std::string, std::set<std::string>>& allowed() {
       {"references",
        {"tracer/formulas", "tracer/scene", "tracer/image", "tracer/textbook", "tracer/engine", "exporters",
         "references/metrics"}},
+      {"references/chart",
+       {"tracer/formulas", "tracer/scene", "tracer/image", "tracer/textbook", "tracer/engine", "exporters",
+        "references", "references/methods"}},
       {"references/report", {"tracer/image", "references"}},
       {"references/needs",
        {"tracer/formulas", "tracer/scene", "tracer/image", "tracer/textbook", "tracer/engine", "references"}},
       {"references/cli",
        {"tracer/formulas", "tracer/scene", "tracer/image", "tracer/textbook", "tracer/engine", "exporters",
-        "references", "references/diagnosis", "references/faults", "references/metrics", "references/needs",
-        "references/report", "references/stability"}}};
+        "references", "references/chart", "references/diagnosis", "references/faults", "references/metrics",
+        "references/needs", "references/report", "references/stability"}}};
   return table;
 }
 

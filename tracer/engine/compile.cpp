@@ -36,7 +36,7 @@ Affine<Real> affine_of(const Mat4<double>& m) {
 template <class Real>
 class Compiler {
  public:
-  Compiler(const Scene& scene, const Settings& settings) : scene_(scene), counts_(count_instances(scene)) {
+  Compiler(const Scene& scene, const Settings& settings) : scene_(scene), counts_(count_instances(scene)), has_hierarchy_(settings.has_hierarchy) {
     count_parents(settings);
     add_lights();
     out_.groups.emplace_back();
@@ -208,8 +208,10 @@ class Compiler {
     return all;
   }
 
-  /// In float, rounded outward by more than the conversion rounds.
-  static Item item_of(const Group& group, Ref ref, const Bounds3& bounds) {
+  /// In float, rounded outward by more than the conversion rounds. Without a hierarchy nothing is told apart:
+  /// each has the bounds of the whole group.
+  Item item_of(const Group& group, Ref ref, const Bounds3& bounds) const {
+    if (!has_hierarchy_) return {{-2, -2, -2}, ref, {2, 2, 2}};
     Item item{{}, ref, {}};
     for (int k = 0; k < 3; ++k) {
       const auto at = static_cast<std::size_t>(k);
@@ -291,6 +293,7 @@ class Compiler {
 
   const Scene& scene_;
   std::vector<std::uint64_t> counts_;
+  bool has_hierarchy_;
   std::vector<std::uint32_t> parents_;
   std::map<ShapeId, Known> groups_;
   static constexpr std::uint32_t no_place = std::numeric_limits<std::uint32_t>::max();

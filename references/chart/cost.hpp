@@ -1,0 +1,37 @@
+// What a piece of work costs, apart from the time that passes.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+
+namespace plumb::references {
+
+struct Cost {
+  double cpu_seconds = 0;  ///< user and system, of all threads and of children that have ended
+  std::optional<std::uint64_t> instructions;  ///< in user mode; nothing where the machine does not count them
+};
+
+/// Counts the instructions of this process and of the children it starts, by Linux's perf_event_open(2).
+class InstructionCounter {
+ public:
+  InstructionCounter();
+  ~InstructionCounter();
+  InstructionCounter(const InstructionCounter&) = delete;
+  InstructionCounter& operator=(const InstructionCounter&) = delete;
+
+  /// Why nothing is counted; empty when it is. Containers and virtual machines often have no counters.
+  const char* complaint() const { return file_ < 0 ? complaint_ : ""; }
+  /// So far; nothing where the machine does not count.
+  std::optional<std::uint64_t> read() const;
+
+ private:
+  int file_ = -1;
+  const char* complaint_ = "";
+};
+
+/// Does the work again and again until it took `least_seconds` of processor time, and returns the mean:
+/// clocks are coarse, and small pictures take less than a millisecond.
+Cost cost_of(const std::function<void()>& work, const InstructionCounter& counter, double least_seconds);
+
+}  // namespace plumb::references

@@ -1,0 +1,117 @@
+#include "references/chart/chart.hpp"
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+#include "references/chart/json.hpp"
+#include "references/chart/plot.hpp"
+#include "references/cli/commands.hpp"
+#include "references/cli/options.hpp"
+#include "references/cli/progress.hpp"
+#include "references/cli/report.hpp"
+
+namespace plumb::cli {
+namespace {
+
+struct Options {
+  std::vector<std::string> scenes;
+  std::string json, svg, png;
+  int runs = 5;
+  bool fresh = false;
+  SceneOptions common;
+};
+
+/// The pictures that are asked for; all files when none is.
+std::vector<std::string> pictures(Options& options) {
+  if (options.json.empty() && options.svg.empty() && options.png.empty()) {
+    options.json = "chart.json";
+    options.svg = "chart.svg";
+    options.png = "chart.png";
+  }
+  std::vector<std::string> files;
+  for (const auto& [path, extension] : {std::pair(options.svg, ".svg"), std::pair(options.png, ".png")}) {
+    if (path.empty()) continue;
+    if (std::filesystem::path(path).extension() != extension)
+      throw std::invalid_argument("found '" + path + "', expected a name that ends in " + extension);
+    files.push_back(path);
+  }
+  return files;
+}
+
+references::ChartOptions chart_options(const Options& options) {
+  references::ChartOptions chart;
+  chart.size = size_of(options.common).value_or(chart.size);
+  chart.camera = options.common.camera;
+  chart.dialect = dialect_of(options.common);
+  chart.render = render_options_of(options.common);
+  chart.runs = options.runs;
+  chart.fresh = options.fresh;
+  chart.warn = warn;
+  return chart;
+}
+
+/// What lies on the fronts, the fastest first as they were measured.
+void print_fronts(const references::ChartScene& scene) {
+  std::printf("%s\n", scene.scene.c_str());
+  for (const auto& point : scene.points) {
+    if (!point.pareto) continue;
+    std::printf("  %-32s %8.3g x  rms %8.2g  %zu pixels over  (%s)\n", point.way.title.c_str(),
+                point.ratio.median, point.error.rms, point.error.pixels_over,
+                point.way.truth == references::Truth::pixel_centres ? "exactness" : "sampling");
+  }
+}
+
+int run_chart(Options options) {
+  const std::vector<std::string> files = pictures(options);
+  if (!files.empty()) references::check_plotting();
+  references::ChartOptions wanted = chart_options(options);
+  Progress progress("measuring");
+  wanted.progress = [&](double fraction) { progress.show(fraction); };
+  const references::Chart chart = references::measure_chart(options.scenes, wanted);
+  progress.clear();
+  if (!chart.instructions.empty())
+    warn("instructions are not counted here (" + chart.instructions + "): they are null in the JSON");
+  const Json json = references::to_json(chart);
+  if (!files.empty()) references::plot_chart(json.dump(), files);
+  if (!options.json.empty()) write_json(options.json, json);
+  if (options.json == "-") return exit_agrees;
+  for (const auto& scene : chart.scenes) print_fronts(scene);
+  return exit_agrees;
+}
+
+}  // namespace
+
+Command add_chart(CLI::App& plumb) {
+  CLI::App* app = plumb.add_subcommand(
+      "chart",
+      "Chart speed against accuracy: every way to render scenes, what it costs and how far it is off.");
+  auto options = std::make_shared<Options>();
+  options->common.size = "160x120";
+  app->add_option("SCENE", options->scenes, "scene files; up to 10 make a readable page")
+      ->required()
+      ->expected(-1);
+  app->add_option("--json", options->json, "write the figures as JSON; - is standard output")
+      ->type_name("FILE");
+  app->add_option("--svg", options->svg, "draw the chart; text stays text")->type_name("FILE");
+  app->add_option("--png", options->png, "draw the chart at 150 dots an inch")->type_name("FILE");
+  app->add_option("--runs", options->runs, "measurements of each cost; the chart shows median and range")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  app->add_flag("--fresh", options->fresh, "measure all anew; use nothing that is kept in the cache");
+  add_scene_options(*app, options->common);
+  app->get_option("--size")->capture_default_str()->description("size of all pictures");
+  app->footer(
+      "Example: plumb chart tests/scenes/combined-still-life.sdf tests/scenes/mirror.sdf --svg chart.svg\n"
+      "Without --json, --svg and --png: chart.json, chart.svg and chart.png in the current directory.\n"
+      "Errors are counted from the textbook tracer in 113 bits; those of several samples a pixel from 1024 "
+      "of "
+      "them.\n"
+      "Every run is kept in $PLUMB_CACHE (default ~/.cache/plumb), so a chart that was broken off goes on.\n"
+      "Needs python3-matplotlib to draw.\n"
+      "Exit codes: 0 measured, 2 trouble.");
+  return {app, [options] { return run_chart(*options); }};
+}
+
+}  // namespace plumb::cli
