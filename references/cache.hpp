@@ -27,8 +27,6 @@ class Cache {
   /// complaint() tells of it.
   void store(const PovrayJob& job, const std::string& version, const PovrayPicture& picture) const;
 
-  const std::string& directory() const { return directory_; }
-
   /// Where the entry of a job is, or would be.
   std::string entry_path(const PovrayJob& job, const std::string& version) const;
 

@@ -36,7 +36,8 @@ Affine<Real> affine_of(const Mat4<double>& m) {
 template <class Real>
 class Compiler {
  public:
-  Compiler(const Scene& scene, const Settings& settings) : scene_(scene), counts_(count_instances(scene)), has_hierarchy_(settings.has_hierarchy) {
+  Compiler(const Scene& scene, const Settings& settings)
+      : scene_(scene), counts_(count_instances(scene)), has_hierarchy_(settings.has_hierarchy) {
     count_parents(settings);
     add_lights();
     out_.groups.emplace_back();

@@ -83,8 +83,9 @@ class Tracer {
       if (!bent)
         return f_->colour_at_total_reflection(
             colour, trace(RayKind::totally_reflected, mirrored, hit.surface, interiors, depth + 1));
-      refracted = ratio == 1 ? go_on_unbent(leave(point, n, *bent), hit.surface, beyond, depth, unbent)
-                             : trace(RayKind::refracted, leave(point, n, *bent), hit.surface, beyond, depth + 1);
+      refracted = ratio == 1
+                      ? go_on_unbent(leave(point, n, *bent), hit.surface, beyond, depth, unbent)
+                      : trace(RayKind::refracted, leave(point, n, *bent), hit.surface, beyond, depth + 1);
     }
     const Rgb<Real> reflected = material.mirrors
                                     ? trace(RayKind::mirrored, mirrored, hit.surface, interiors, depth + 1)
