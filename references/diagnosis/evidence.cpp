@@ -9,8 +9,8 @@ namespace plumb::references {
 namespace {
 
 constexpr float levels = 255;
-constexpr double most_units_of_survey = 2e7;  // half a second
-constexpr double most_units_in_all = 1.5e8;   // 5 s
+constexpr double most_units_of_survey = 8e6;  // a fifth of a second
+constexpr double most_units_in_all = 2e8;     // 6 s
 
 /// The largest difference of the three channels, in levels. What is no number on both sides agrees.
 float difference(const float* colour, const float* seen, const OutputEncoding& encoding) {

@@ -36,6 +36,18 @@ class Search {
     if (beam.front().misfit <= nothing_left) return beam.front();
     choose_telling_pixels();
     look_again(beam);
+    Fit best = climbed(beam);
+    if (best.misfit <= nothing_left || evidence_.is_over()) return best;
+    std::vector<Fit> seeds = pairs();
+    if (seeds.empty()) return best;
+    const Fit from_pairs = climbed(std::move(seeds));
+    best = evidence_.fit(best.set, evidence_.pixels());
+    return cost(from_pairs) < cost(best) ? from_pairs : best;
+  }
+
+ private:
+  /// The best set that is reached by one more fault at a time, refined.
+  Fit climbed(std::vector<Fit> beam) {
     Fit best = beam.front();
     // Of two faults that spoil the same pixels neither alone need bring a gain: one more level is tried.
     for (int patience = 2; patience > 0 && !evidence_.is_over() && best.misfit > nothing_left &&
@@ -51,7 +63,6 @@ class Search {
     return refined(best);
   }
 
- private:
   /// A few pixels for each fault that it changes in the right picture: highlights and shadows are small, and
   /// evenly spread pixels may miss them.
   void choose_telling_pixels() {
@@ -134,14 +145,12 @@ class Search {
         fits.push_back(evidence_.fit(with(fit.set, fault), first_look()));
       }
     }
-    if (!beam.front().set.empty()) return best_of(std::move(fits), beam_width);
-    add_pairs(fits);
-    return best_of(std::move(fits), first_beam_width);
+    return best_of(std::move(fits), beam.front().set.empty() ? first_beam_width : beam_width);
   }
 
   /// The most promising pairs of faults: of two that hide each other, as of brightness and of ambient light,
   /// each alone makes it worse.
-  void add_pairs(std::vector<Fit>& fits) const {
+  std::vector<Fit> pairs() const {
     std::vector<Fit> pairs;
     for (std::size_t a = 0; a < has_effect_.size(); ++a) {
       for (std::size_t b = a + 1; has_effect_[a] && b < has_effect_.size(); ++b) {
@@ -150,7 +159,8 @@ class Search {
     }
     sort(pairs);
     pairs.resize(std::min(pairs.size(), 3 * screened));
-    for (const Fit& pair : pairs) fits.push_back(evidence_.fit(pair.set, first_look()));
+    for (Fit& pair : pairs) pair = evidence_.fit(pair.set, first_look());
+    return best_of(std::move(pairs), first_beam_width);
   }
 
   std::size_t first_look() const { return evidence_.pixels() / 5; }
