@@ -14,8 +14,14 @@ class JudgedPictures : public testing::Test {
  protected:
   JudgedPictures()
       : scene_(read_scene(read_file(tests::source_path("tests/scenes/phong.sdf"))).scene),
-        job_{.width = 32, .height = 24},
-        right_(engine::render(scene_, scene_.cameras.front(), job_)) {}
+        right_(engine::render(scene_, scene_.cameras.front(), small_job())) {}
+
+  static RenderJob small_job() {
+    RenderJob job;
+    job.width = 32;
+    job.height = 24;
+    return job;
+  }
 
   Image wrong_at(int x, int y) const {
     Image image = right_;
@@ -29,7 +35,6 @@ class JudgedPictures : public testing::Test {
 
   Scene scene_;
   RenderOptions options_;
-  RenderJob job_;
   Image right_;
 };
 
