@@ -3,12 +3,22 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <limits>
+
 #include "tests/support/run.hpp"
 #include "tracer/engine/render.hpp"
 #include "tracer/scene/reader.hpp"
 
 namespace plumb::references {
 namespace {
+
+/// Of one value.
+Image plain(int width, int height, float value) {
+  Image image(width, height);
+  std::fill(image.rgb.begin(), image.rgb.end(), value);
+  return image;
+}
 
 class JudgedPictures : public testing::Test {
  protected:
@@ -71,6 +81,66 @@ TEST_F(JudgedPictures, WhatIsNotJudgedIsCounted) {
   EXPECT_EQ(judgement.not_judged, 1U);
   EXPECT_TRUE(judgement.ran_out);
   EXPECT_FALSE(judgement.note().empty());
+}
+
+TEST_F(JudgedPictures, WhatIsNotFiniteIsWrong) {
+  Image ours = right_;
+  ours.pixel(3, 4)[1] = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_EQ(judged(right_, ours).count(Verdict::ours_wrong), 1U);
+}
+
+TEST_F(JudgedPictures, TheToleranceIsRelativeAboveOne) {
+  const Scene bright = read_scene("background 4 4 4\n").scene;
+  const auto verdicts = [&](float by) {
+    Image reference = plain(2, 1, 4);
+    Image ours = reference;
+    reference.pixel(1, 0)[0] -= 3.5e-6F;  // within 4e-6 of 4
+    ours.pixel(1, 0)[0] += by;
+    return judge_pixels({bright, bright.cameras.front(), options_, reference, ours, 1e-6});
+  };
+  EXPECT_EQ(verdicts(3.5e-6F).count(Verdict::undecided), 1U);
+  EXPECT_EQ(verdicts(6e-6F).count(Verdict::ours_wrong), 1U);
+}
+
+/// Seen under 90 degrees from the origin, so that the ray of a pixel is known by heart; all glows.
+Scene glowing(const std::string& shape) {
+  const ReadResult read = read_scene("define material glow 0.5 0.5 0.5 0 0 0 0 0 0 1\nambient 1 1 1\n" +
+                                     shape + "\ndefine camera eye 90\n");
+  EXPECT_FALSE(read.has_errors());
+  return read.scene;
+}
+
+/// What is said of the pixel when one side sees the shape there and the other one does not, either way round.
+void expect_open(const Scene& scene, int side, int x, int y) {
+  Image sees = plain(side, side, 0);
+  Image misses = sees;
+  for (int c = 0; c < 3; ++c) sees.pixel(x, y)[c] = 0.5F;
+  for (const bool ours_sees : {true, false}) {
+    const Judgement judgement = judge_pixels(
+        {scene, scene.cameras.front(), {}, ours_sees ? misses : sees, ours_sees ? sees : misses, 1e-6});
+    ASSERT_EQ(judgement.pixels.size(), 1U);
+    EXPECT_EQ(judgement.pixels[0].verdict, Verdict::undecided);
+  }
+}
+
+TEST(Judgement, ASampleOnAnEdgeIsUndecided) {
+  // The centre of column 5 of 8 looks at x = 1.5 where z = -4.
+  expect_open(glowing("define shape box front -1 -1 -6 1.5 1 -4 glow"), 8, 5, 3);
+}
+
+TEST(Judgement, ATangentIsUndecided) {
+  expect_open(glowing("define shape sphere ball 2 0 -4 2 glow"), 9, 4, 4);
+}
+
+TEST(Judgement, WhatNoEdgeExplainsIsWrongThere) {
+  // On the edge the scene allows what lies between shape and background, and nothing brighter.
+  const Scene scene = glowing("define shape box front -1 -1 -6 1.5 1 -4 glow");
+  const Image shape = plain(8, 8, 0.5F);
+  Image brighter = shape;
+  brighter.pixel(5, 3)[0] = 0.6F;
+  const Judgement judgement = judge_pixels({scene, scene.cameras.front(), {}, shape, brighter, 1e-6});
+  ASSERT_EQ(judgement.pixels.size(), 1U);
+  EXPECT_EQ(judgement.pixels[0].verdict, Verdict::ours_wrong);
 }
 
 }  // namespace

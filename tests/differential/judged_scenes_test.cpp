@@ -1,0 +1,59 @@
+// Every pixel of random scenes, ours against the oracle: nowhere may ours be wrong. POV-Ray is not needed.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "references/judgement.hpp"
+#include "references/renderer.hpp"
+#include "tests/support/random_scene.hpp"
+#include "tracer/scene/reader.hpp"
+#include "tracer/scene/writer.hpp"
+
+namespace plumb::tests {
+namespace {
+
+using references::Judgement;
+using references::Renderer;
+using references::Verdict;
+
+/// What the environment sets, or what is tried in a short run.
+int number_from(const char* variable, int in_a_short_run) {
+  const char* const wanted = std::getenv(variable);
+  return wanted == nullptr ? in_a_short_run : static_cast<int>(std::strtol(wanted, nullptr, 10));
+}
+
+/// PLUMB_JUDGED_SCENES says how many, PLUMB_JUDGED_WIDTH how large; three quarters as high.
+TEST(JudgedScenes, OursIsNowhereWrong) {
+  const int wanted = number_from("PLUMB_JUDGED_SCENES", 30);
+  const int width = number_from("PLUMB_JUDGED_WIDTH", 16);
+  constexpr double enough = 1e12;
+  std::size_t undecided = 0;
+  std::size_t pixels = 0;
+  for (int seed = 1; seed <= wanted; ++seed) {
+    const RandomScene random = random_scene(static_cast<unsigned>(seed));
+    const Scene scene = read_scene(write_scene(random.scene)).scene;
+    const Camera& camera = scene.cameras.front();
+    RenderJob job;
+    job.width = width;
+    job.height = width * 3 / 4;
+    job.options = random.options;
+    job.real = RealType::quad;
+    const Image oracle = references::render(Renderer::textbook, scene, camera, job);
+    job.real = RealType::float64;
+    for (const Renderer renderer : {Renderer::textbook, Renderer::engine}) {
+      const Image ours = references::render(renderer, scene, camera, job);
+      const Judgement judgement =
+          references::judge_pixels({scene, camera, random.options, oracle, ours, 1e-6}, enough);
+      EXPECT_EQ(judgement.pixels.size(), judgement.count(Verdict::undecided))
+          << "seed " << seed << ": " << judgement.note();
+      EXPECT_EQ(judgement.not_judged, 0U) << "seed " << seed << ": " << judgement.note();
+      undecided += judgement.count(Verdict::undecided);
+      pixels += oracle.rgb.size() / 3;
+    }
+  }
+  RecordProperty("pixels", std::to_string(pixels));
+  RecordProperty("undecided", std::to_string(undecided));
+}
+
+}  // namespace
+}  // namespace plumb::tests
