@@ -40,7 +40,7 @@ struct Judgement {
   std::string note() const;
 };
 
-/// Spent at most on one scene, in units of Work; 10 to 30 s on a machine of 2023.
+/// Spent at most on one scene, in units of Work; 5 to 10 s on a machine of 2023.
 inline constexpr double most_work_of_judgement = 1e9;
 
 /// Judges every pixel over the tolerance, row by row, until the work is done. `job.work` and what the job

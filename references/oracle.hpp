@@ -46,6 +46,9 @@ struct Answers {
 /// all are done, so "decided" means that 32 moves found nothing: an edge that each of them crosses with
 /// probability 1/2 is missed once in 4e9.
 ///
+/// A ray that only touches an edge of a box meets the face by which it enters, and the moves add the miss. No
+/// scene nearby shows the face by which it leaves, from behind: a renderer that takes that one is wrong.
+///
 /// Surfaces that nearly coincide. The lecture's tracer takes hits within its resolution (see
 /// formulas::resolution) for one place: 1.8e-12 of t in double, 5e-26 here. The oracle takes the scene at its
 /// word: surfaces that are farther apart than the last digits, about 1e-15 of their positions, are two, in
