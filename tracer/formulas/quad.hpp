@@ -23,12 +23,14 @@ class Quad {
   Quad() = default;
   // Numbers of every kind are to be written as they are in formulas.
   template <class Number>
-  requires std::numeric_limits<Number>::is_specialized constexpr Quad(Number value)
+  requires(!std::is_same_v<Number, Quad> &&
+           std::numeric_limits<Number>::is_specialized) constexpr Quad(Number value)
       : value_(static_cast<__float128>(value)) {}
   constexpr Quad(__float128 value) : value_(value) {}
 
   template <class Number>
-  requires std::numeric_limits<Number>::is_specialized constexpr explicit operator Number() const {
+  requires(!std::is_same_v<Number, Quad> && std::numeric_limits<Number>::is_specialized) constexpr explicit
+  operator Number() const {
     return static_cast<Number>(value_);
   }
   constexpr explicit operator __float128() const { return value_; }
