@@ -30,20 +30,15 @@ struct RayVector {
   W<Real> own_face;
 };
 
-/// A quarter of the lecture's. In float half_b^2 - a c cancels where a sphere is small and far: there it is
-/// a (r^2 - d^2), d the centre's distance from the line (Hearn and Baker; Haines et al., "Precision
-/// Improvements for Ray/Sphere Intersection", Ray Tracing Gems, 2019).
+/// A quarter of the lecture's, as in formulas::intersect_sphere: a (r^2 - d^2), d the centre's distance from
+/// the line. half_b^2 - a c cancels where a sphere is small and far.
 template <class Real>
 HWY_INLINE V<Real> discriminant_of(const RayVector<Real>& ray, const Sphere<Real>& sphere,
-                                   const V3<Real>& offset, V<Real> half_b, V<Real> a, V<Real> c) {
-  if constexpr (sizeof(Real) == sizeof(double)) {
-    return hn::Sub(hn::Mul(half_b, half_b), ray.is_unit ? c : hn::Mul(a, c));
-  } else {
-    const V<Real> nearest = ray.is_unit ? half_b : hn::Div(half_b, a);
-    const V3<Real> across = sub<Real>(offset, scaled<Real>(ray.direction, nearest));
-    const V<Real> room = hn::Sub(set(sphere.radius * sphere.radius), dot<Real>(across, across));
-    return ray.is_unit ? room : hn::Mul(a, room);
-  }
+                                   const V3<Real>& offset, V<Real> half_b, V<Real> a) {
+  const V<Real> nearest = ray.is_unit ? half_b : hn::Div(half_b, a);
+  const V3<Real> across = sub<Real>(offset, scaled<Real>(ray.direction, nearest));
+  const V<Real> room = hn::Sub(set(sphere.radius * sphere.radius), dot<Real>(across, across));
+  return ray.is_unit ? room : hn::Mul(a, room);
 }
 
 /// formulas::intersect_sphere.
@@ -54,7 +49,7 @@ HWY_INLINE Met<Real> meet(const RayVector<Real>& ray, const Sphere<Real>& sphere
   const V<Real> half_b = dot<Real>(offset, ray.direction);
   const V<Real> c = hn::Sub(dot<Real>(offset, offset), set(sphere.radius * sphere.radius));
   const V<Real> a = ray.is_unit ? set(Real(1)) : dot<Real>(ray.direction, ray.direction);
-  const V<Real> discriminant = discriminant_of(ray, sphere, offset, half_b, a, c);
+  const V<Real> discriminant = discriminant_of(ray, sphere, offset, half_b, a);
   const M<Real> is_inward = hn::Lt(half_b, zero);
   const M<Real> is_outside = hn::Gt(c, zero);
   M<Real> mask = hn::And(hn::Ge(discriminant, zero), hn::Or(is_inward, hn::Not(is_outside)));

@@ -13,7 +13,9 @@ namespace plumb::formulas {
 /// When the ray starts on this very sphere, one root is 0 and c vanishes: the other is -b/a, so
 /// no epsilon is needed to leave the surface.
 /// The roots are taken as q/a and c/q, free of cancellation (Press et al., Numerical Recipes,
-/// 3rd ed. 2007, section 5.6).
+/// 3rd ed. 2007, section 5.6). A quarter of the discriminant is a (r^2 - e^2), e the centre's distance from
+/// the line: b^2 - 4 a c would cancel where a sphere is small and far (Hearn and Baker; Haines et al.,
+/// "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems, 2019, chapter 7).
 template <class Real>
 std::optional<Real> intersect_sphere(const Ray<Real>& ray, const Vec3<Real>& center, Real radius,
                                      bool starts_on_it) {
@@ -27,7 +29,8 @@ std::optional<Real> intersect_sphere(const Ray<Real>& ray, const Vec3<Real>& cen
   }
   const Real c = glm::dot(offset, offset) - radius * radius;
   if (c > 0 && half_b >= 0) return std::nullopt;  // outside and moving away
-  const Real discriminant = half_b * half_b - a * c;
+  const Vec3<Real> across = offset - half_b / a * ray.direction;
+  const Real discriminant = a * (radius * radius - glm::dot(across, across));
   if (!(discriminant >= 0)) return std::nullopt;
   const Real root = sqrt(discriminant);
   const Real q = root - half_b;  // does not cancel when the ray moves toward the centre
