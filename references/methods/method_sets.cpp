@@ -63,8 +63,7 @@ bool replace_rest(std::string_view id, Table<Real>& table) {
   if (id == "start-nothing") {
     start_at<Real, &formulas::secondary_origin<Real>>(table);
   } else if (id == "start-epsilon") {
-    start_at<Real, &formulas::secondary_origin<Real>>(table);
-    table.is_ahead = &methods::ahead_of_epsilon<Real>;
+    start_at<Real, &methods::epsilon_ahead<Real>>(table);
   } else if (id == "start-normal-offset") {
     start_at<Real, &methods::normal_offset<Real>>(table);
   } else if (id == "start-waechter-binder") {

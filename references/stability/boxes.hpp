@@ -22,6 +22,16 @@ BoxCase<Real> thin_box(double v, Random& random) {
   return {{Vec3<Real>(eye), glm::normalize(Vec3<Real>(aim - eye))}, {Vec3<Real>(-half), Vec3<Real>(half)}};
 }
 
+/// A cube, seen from anywhere, aimed at a point 1/v inside an edge; those that rounding turned into misses
+/// have no true hit and do not count.
+template <class Real>
+BoxCase<Real> box_edge(double v, Random& random) {
+  const Vec3<double> eye = 4.0 * unit_vector(random);
+  Vec3<double> aim(1 - 1 / v, 1 - 1 / v, 2 * uniform(random) - 1);
+  for (int i = 0; i < 2; ++i) aim[i] *= uniform(random) < 0.5 ? -1 : 1;
+  return {{Vec3<Real>(eye), glm::normalize(Vec3<Real>(aim - eye))}, {Vec3<Real>(-1), Vec3<Real>(1)}};
+}
+
 /// Along x, tilted by 1/v; every fourth ray by 0, every fourth by -0; every second in the plane of a face.
 template <class Real>
 BoxCase<Real> near_parallel(double v, Random& random) {

@@ -60,7 +60,7 @@ struct ByNothing {
 struct ByEpsilon {
   template <class R>
   constexpr Start<R> of() const {
-    return {&formulas::secondary_origin<R>, &methods::ahead_of_epsilon<R>, false};
+    return {&methods::epsilon_ahead<R>, &methods::ahead_of_zero<R>, false};
   }
 };
 struct ByNormal {
@@ -151,6 +151,12 @@ struct Thin {
     return thin_box<R>(v, random);
   }
 };
+struct Edge {
+  template <class R>
+  static BoxCase<R> of(double v, Random& random) {
+    return box_edge<R>(v, random);
+  }
+};
 struct Parallel {
   template <class R>
   static BoxCase<R> of(double v, Random& random) {
@@ -180,6 +186,7 @@ std::vector<ConditionEntry> catalogue() {
           sphere_condition<&offset_sphere>("offset", "distance from the origin / radius", 1e12),
           sphere_condition<&grazed_sphere>("grazing", "1 / angle to the surface", 1e9),
           {"box-aspect", "width / thickness", 1e12, false, 400, boxes(Thin())},
+          {"box-edge", "1 / distance of the aim from an edge", 1e18, false, 400, boxes(Edge())},
           {"box-parallel", "1 / tilt", 1e18, false, 400, boxes(Parallel())},
           {"flattening", "width / thickness", 1e12, false, 200, transforms<&flattened>()},
           {"condition-number", "condition number", 1e12, false, 200, transforms<&pressed>()},

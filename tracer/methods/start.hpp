@@ -10,15 +10,10 @@
 
 namespace plumb::methods {
 
-/// Entries for formulas::is_ahead.
+/// An entry for formulas::is_ahead.
 template <class Real>
 bool ahead_of_zero(Real t, Real) {
   return t > 0;
-}
-/// The epsilon of most tracers: 1e-4 lengths of the ray's direction, whatever the scene's size.
-template <class Real>
-bool ahead_of_epsilon(Real t, Real) {
-  return t > Real(1e-4);
 }
 
 /// Toward the side of the surface that the ray leaves to.
@@ -27,7 +22,14 @@ Vec3<Real> side_of(const Vec3<Real>& n, const Vec3<Real>& direction) {
   return glm::dot(n, direction) < 0 ? -n : n;
 }
 
-/// Entries for formulas::secondary_origin: point, unit normal, direction. A fixed way along the normal.
+/// Entries for formulas::secondary_origin: point, unit normal, direction. The epsilon of most tracers, t >
+/// 1e-4 whatever the scene's size: no root before it counts, so the ray may as well start there.
+template <class Real>
+Vec3<Real> epsilon_ahead(const Vec3<Real>& point, const Vec3<Real>&, const Vec3<Real>& direction) {
+  return point + Real(1e-4) * direction;
+}
+
+/// A fixed way along the normal.
 template <class Real>
 Vec3<Real> normal_offset(const Vec3<Real>& point, const Vec3<Real>& n, const Vec3<Real>& direction) {
   return point + Real(1e-4) * side_of(n, direction);
