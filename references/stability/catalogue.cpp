@@ -78,7 +78,7 @@ struct ByUlps {
 struct ByBound {
   template <class R>
   constexpr Start<R> of() const {
-    return {&methods::error_bound<R>, &methods::ahead_of_zero<R>, false};
+    return {&methods::error_bound<R>, &methods::ahead_of_zero<R>, false, true};
   }
 };
 struct ById {
@@ -107,10 +107,10 @@ void add_starts(std::vector<Method>& to) {
       start<setting>({"start-waechter-binder", "Waechter, Binder 2019",
                       "the point is off by more than 256 ulp: t is long against the coordinates", exclude},
                      ByUlps()));
-  to.push_back(
-      start<setting>({"start-error-bound", "Pharr et al. 2023",
-                      "the bound holds for points put back onto the surface, not for p0 + t d", exclude},
-                     ByBound()));
+  to.push_back(start<setting>(
+      {"start-error-bound", "Pharr et al. 2023",
+       "the bound is that of the point, not of the centre and the radius it was made from", exclude},
+      ByBound()));
 }
 
 template <auto setting>

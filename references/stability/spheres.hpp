@@ -65,6 +65,7 @@ struct Start {
   Vec3<Real> (*origin)(const Vec3<Real>&, const Vec3<Real>&, const Vec3<Real>&);
   bool (*is_ahead)(Real, Real);
   bool knows_its_surface;
+  bool refines = false;  ///< puts the point back onto the sphere first
 };
 
 template <class Real>
@@ -79,11 +80,12 @@ Trial start_trial(double value, Random& random) {
   const SphereCase<Real> c = rounded<Real>(setting(value, random), random);
   const auto t = formulas::intersect_sphere(c.ray, c.center, c.radius, false);
   if (!t) return {.counts = false};
-  const Vec3<Real> p = formulas::point_at(c.ray, *t);
-  const Vec3<Real> n = glm::normalize(p - c.center);
+  const Start<Real> way = start.template of<Real>();
+  const Vec3<Real> along = formulas::point_at(c.ray, *t);
+  const Vec3<Real> n = glm::normalize(along - c.center);
+  const Vec3<Real> p = way.refines ? c.center + c.radius * n : along;
   Vec3<Real> out(unit_vector(random));
   if (glm::dot(out, n) < 0) out = -out;
-  const Start<Real> way = start.template of<Real>();
   const auto meets = [&](const Vec3<Real>& direction) {
     const Vec3<Real> origin = way.origin(p, n, direction);
     auto hit = formulas::intersect_sphere({origin, direction}, c.center, c.radius, way.knows_its_surface);

@@ -112,7 +112,7 @@ class Kept {
 
  private:
   std::string path(const std::string& condition, const Row& row) const {
-    constexpr const char* settings = "rows 2";  // another number when a method or a sweep changes
+    constexpr const char* settings = "rows 3";  // another number when a method or a sweep changes
     return directory_ + "/stability-" +
            sha256(std::string(PLUMB_VERSION) + " " + settings + " " + condition + " " + row.method + " " +
                   row.real + (quick_ ? " quick" : " full")) +

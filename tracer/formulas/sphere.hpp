@@ -24,8 +24,8 @@ std::optional<Real> intersect_sphere(const Ray<Real>& ray, const Vec3<Real>& cen
   const Real a = glm::dot(ray.direction, ray.direction);
   const Real half_b = glm::dot(offset, ray.direction);
   if (starts_on_it) {
-    if (half_b < 0) return -2 * half_b / a;
-    return std::nullopt;
+    const Real t = -2 * half_b / a;
+    return t > 0 ? std::optional<Real>(t) : std::nullopt;  // not infinity over infinity
   }
   const Real c = glm::dot(offset, offset) - radius * radius;
   if (c > 0 && half_b >= 0) return std::nullopt;  // outside and moving away

@@ -1,0 +1,175 @@
+// What the methods reach, judged by 113 bits. PLUMB_STABILITY_RAYS rays each; the figures of the project are
+// those of 10,000,000.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <string>
+
+#include "references/methods/method_sets.hpp"
+#include "references/stability/atlas.hpp"
+#include "references/stability/boxes.hpp"
+#include "references/stability/catalogue.hpp"
+#include "references/stability/spheres.hpp"
+#include "tracer/formulas/phong.hpp"
+#include "tracer/methods/sphere.hpp"
+
+namespace plumb::references::stability {
+namespace {
+
+long rays() {
+  const char* const asked = std::getenv("PLUMB_STABILITY_RAYS");
+  return asked == nullptr ? 20'000 : std::atol(asked);
+}
+
+/// Every ray that truly hits, the grazing ones too.
+SphereSetting any_hit(double distance, Random& random) {
+  return {Vec3<double>(0), 1, distance, std::sqrt(uniform(random))};
+}
+
+/// Share of the true hits of a unit sphere that a method loses.
+template <class Real, auto method, auto setting>
+double lost(double distance) {
+  Random random(1);
+  long hits = 0, missed = 0;
+  for (long i = 0; i < rays(); ++i) {
+    const Trial trial = sphere_trial<Real, method, setting>(distance, random);
+    hits += trial.counts ? 1 : 0;
+    missed += trial.counts && trial.missed ? 1 : 0;
+  }
+  return static_cast<double>(missed) / static_cast<double>(hits);
+}
+
+TEST(Stability, TheNaiveSphereLosesHitsInFloat) {
+  const double near = lost<float, &methods::sphere_naive<float>, &any_hit>(1000);
+  const double far = lost<float, &methods::sphere_naive<float>, &any_hit>(4100);
+  std::printf("lost by b^2 - 4ac in float: %.2f %% at d/r 1000, %.2f %% at 4100\n", 100 * near, 100 * far);
+  EXPECT_GT(near, 0.01);
+  EXPECT_GT(far, 0.05);
+}
+
+TEST(Stability, HainesLosesNoClearHitInFloatUpToAMillion) {
+  for (const double distance : {1e3, 4100.0, 1e5, 1e6})
+    EXPECT_EQ((lost<float, &methods::sphere_haines<float>, &far_sphere>(distance)), 0) << distance;
+}
+
+template <auto setting>
+double most_ulps() {
+  Random random(2);
+  double most = 0;
+  for (long i = 0; i < rays(); ++i) {
+    const double value = std::pow(10.0, 6 * uniform(random));
+    const Trial t = sphere_trial<double, &formulas::intersect_sphere<double>, setting>(value, random);
+    if (t.counts) most = std::max(most, t.missed ? 1e300 : t.ulps);
+  }
+  return most;
+}
+
+TEST(Stability, ClearHitsOfTheDefaultAreWithin16UlpInDoubleUpToAMillion) {
+  EXPECT_LE(most_ulps<&far_sphere>(), 16);
+  EXPECT_LE(most_ulps<&small_sphere>(), 16);
+  EXPECT_LE(most_ulps<&scaled_sphere>(), 16);
+  EXPECT_LE(most_ulps<&shrunk_sphere>(), 16);
+  EXPECT_LE(most_ulps<&offset_sphere>(), 16);
+}
+
+struct ByIdentity {
+  template <class R>
+  constexpr Start<R> of() const {
+    return {&formulas::secondary_origin<R>, &formulas::is_ahead<R>, true};
+  }
+};
+struct Nothing {
+  template <class R>
+  constexpr Start<R> of() const {
+    return {&formulas::secondary_origin<R>, [](R t, R) { return t > 0; }, false};
+  }
+};
+
+template <class Way>
+long self_hits() {
+  Random random(3);
+  long found = 0;
+  for (long i = 0; i < rays(); ++i) {
+    const double scale = std::pow(10.0, 16 * uniform(random) - 8);
+    found += start_trial<double, Way{}, &scaled_sphere>(scale, random).self_shadow ? 1 : 0;
+  }
+  return found;
+}
+
+TEST(Stability, NoRayMeetsTheSurfaceItLeaves) {
+  EXPECT_EQ(self_hits<ByIdentity>(), 0);
+  EXPECT_GT(self_hits<Nothing>(), rays() / 20) << "the test cannot fail";
+}
+
+/// Boxes about the origin that share faces, edges and a corner there; aimed at what they share.
+long slips_through(bool at_corner) {
+  Random random(4);
+  long slipped = 0;
+  for (long i = 0; i < rays(); ++i) {
+    const Vec3<double> eye = 4.0 * unit_vector(random);
+    const Vec3<double> aim(0, 0, at_corner ? 0 : 1.8 * uniform(random) - 0.9);
+    const Ray<double> ray{eye, glm::normalize(aim - eye)};
+    bool hit = false;
+    for (int octant = 0; octant < 8; ++octant) {
+      const Vec3<double> low((octant & 1) - 1, ((octant >> 1) & 1) - 1, ((octant >> 2) & 1) - 1);
+      hit |= formulas::intersect_box(ray, {low, low + 1.0}, no_face).has_value();
+    }
+    slipped += hit ? 0 : 1;
+  }
+  return slipped;
+}
+
+TEST(Stability, NothingSlipsBetweenBoxesThatShareFaces) {
+  EXPECT_EQ(slips_through(false), 0);
+  EXPECT_EQ(slips_through(true), 0);
+}
+
+/// Any exponent, zeros of both signs and infinity among them.
+double wild(Random& random) {
+  const double kind = uniform(random);
+  if (kind < 0.1) return uniform(random) < 0.5 ? 0.0 : -0.0;
+  if (kind < 0.12) return std::numeric_limits<double>::infinity();
+  return (uniform(random) < 0.5 ? -1 : 1) * std::pow(10.0, 600 * uniform(random) - 300);
+}
+
+TEST(Stability, NoNanLeavesAnIntersection) {
+  Random random(5);
+  const auto vector = [&] { return Vec3<double>(wild(random), wild(random), wild(random)); };
+  for (long i = 0; i < rays(); ++i) {
+    const Ray<double> ray{vector(), vector()};
+    const auto sphere = formulas::intersect_sphere(ray, vector(), std::abs(wild(random)), i % 2 == 0);
+    ASSERT_FALSE(sphere && std::isnan(*sphere));
+    const Vec3<double> a = vector(), b = vector();
+    const auto box =
+        formulas::intersect_box(ray, {glm::min(a, b), glm::max(a, b)}, static_cast<Face>(i % 7) - 1);
+    ASSERT_FALSE(box && std::isnan(box->t));
+  }
+}
+
+TEST(Stability, TheSameSweepGivesTheSameNumbers) {
+  const Sweep sweep{true, "box-edge", {}, ""};
+  EXPECT_EQ(to_json(stability(sweep)), to_json(stability(sweep)));
+}
+
+TEST(Stability, AnUnknownConditionIsNamed) {
+  EXPECT_THROW(stability({true, "weather", {}, ""}), std::invalid_argument);
+}
+
+TEST(Methods, EverySetRendersAndTheFirstIsTheLecture) {
+  Scene scene;
+  scene.materials.resize(1);
+  scene.materials[0].kd = Rgbd(1);
+  scene.shapes.push_back({"ball", Sphere{{0, 0, -5}, 1, 0}, {}});
+  scene.lights.push_back({"lamp", {3, 3, 0}, Rgbd(1), 1});
+  textbook::RenderJob job;
+  job.width = job.height = 8;
+  const Camera camera;
+  ASSERT_EQ(method_sets().front().id, "lecture");
+  EXPECT_EQ(render_with_methods(method_sets().front(), scene, camera, job).rgb,
+            textbook::render(scene, camera, job).rgb);
+  for (const MethodSet& set : method_sets())
+    EXPECT_EQ(render_with_methods(set, scene, camera, job).width, 8) << set.id;
+}
+
+}  // namespace
+}  // namespace plumb::references::stability
