@@ -17,6 +17,8 @@ struct Breaks {
   std::optional<double> e6;           ///< ... by more than 1e-6 of it
   std::optional<double> percent;      ///< ... by more than 1 %
   std::optional<double> self_shadow;  ///< a surface meets itself
+
+  bool any() const { return missed || ulp16 || e6 || percent || self_shadow; }
 };
 
 struct Row {

@@ -2,7 +2,9 @@
 #include <cmath>
 #include <cstdio>
 
+#include "references/report/packing.hpp"
 #include "references/stability/atlas.hpp"
+#include "references/stability/pictures.hpp"
 
 namespace plumb::references::stability {
 namespace {
@@ -57,7 +59,17 @@ const char* colour_of(double error) {
   return error < 1 ? "#E69F00" : "#000000";
 }
 
-std::string map_row(const Row& row) {
+/// The failure as it is seen.
+std::string picture_cell(const Condition& condition, const Row& row) {
+  const std::string bytes = failure_picture(condition, row);
+  if (bytes.empty()) return "<td></td>";
+  std::array<char, 64> at{};
+  std::snprintf(at.data(), at.size(), "at %.2g", *picture_value(row));
+  return "<td><img alt='" + std::string(at.data()) + "' src='data:image/png;base64," + base64(bytes) + "'> " +
+         at.data() + "</td>";
+}
+
+std::string map_row(const Condition& condition, const Row& row) {
   std::string html = "<tr><td>" + escaped(row.method) + "</td><td>" + row.real + "</td><td class=map>";
   for (const auto& [value, error] : row.curve) {
     std::array<char, 160> box{};
@@ -69,6 +81,8 @@ std::string map_row(const Row& row) {
   html += "</td>";
   for (const auto& value : {b.missed, b.ulp16, b.e6, b.percent, b.self_shadow})
     html += "<td>" + cell(value) + "</td>";
+  html += picture_cell(condition, row);
+  if (!row.breaks.any()) return html + "<td></td><td></td></tr>\n";
   return html + "<td>" + escaped(row.cause) + "</td><td>" + escaped(row.remedy) + "</td></tr>\n";
 }
 
@@ -117,8 +131,8 @@ std::string page_of(const std::vector<Condition>& conditions) {
     html += "<h2>" + condition.name + "</h2><table><tr><th>method</th><th>real</th><th>" + condition.unit +
             range.data() +
             "</th><th>missed</th><th>16 ulp</th><th>1e-6</th><th>1 %</th><th>meets itself</th>"
-            "<th>cause</th><th>remedy</th></tr>\n";
-    for (const Row& row : condition.rows) html += map_row(row);
+            "<th>seen past it</th><th>cause</th><th>remedy</th></tr>\n";
+    for (const Row& row : condition.rows) html += map_row(condition, row);
     html += "</table>\n";
   }
   return html + "</html>\n";
