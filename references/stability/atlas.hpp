@@ -24,8 +24,10 @@ struct Breaks {
 struct Row {
   std::string method, real, source;
   Breaks breaks;
-  std::string cause, remedy;                     ///< one line each
-  std::vector<std::pair<double, double>> curve;  ///< value, largest relative error; 1 for a lost or false hit
+  std::string cause, remedy;  ///< one line each
+  std::vector<std::pair<double, double>>
+      curve;  ///< value, largest relative error; 1 for a lost or false hit, NaN where rounding
+  ///< the inputs left no true hit to ask for
 };
 
 struct Condition {

@@ -16,7 +16,8 @@ Json json_of(const std::optional<double>& value) { return value ? Json(*value) :
 Json json_of(const Row& row) {
   const Breaks& b = row.breaks;
   Json curve = Json::array();
-  for (const auto& [value, error] : row.curve) curve.push_back({value, error});
+  for (const auto& [value, error] : row.curve)
+    curve.push_back({Json(value), std::isnan(error) ? Json() : Json(error)});
   return {{"method", row.method},
           {"real", row.real},
           {"source", row.source},
@@ -53,6 +54,7 @@ std::string escaped(const std::string& text) {
 
 /// From exact to lost, by Okabe and Ito's palette, which colour-blind readers tell apart.
 const char* colour_of(double error) {
+  if (std::isnan(error)) return "#BBBBBB";
   if (error <= 1e-12) return "#0072B2";
   if (error <= 1e-6) return "#56B4E9";
   if (error <= 0.01) return "#F0E442";
@@ -122,7 +124,8 @@ std::string page_of(const std::vector<Condition>& conditions) {
       "<h1>Where methods fail</h1><p class=key>Largest error of t: ";
   for (const auto& [error, words] :
        {std::pair(0.0, "to 1e-12"), std::pair(1e-7, "to 1e-6"), std::pair(1e-3, "to 1 %"),
-        std::pair(0.1, "more"), std::pair(1.0, "hit lost, or false")})
+        std::pair(0.1, "more"), std::pair(1.0, "hit lost, or false"),
+        std::pair(std::nan(""), "rounding leaves nothing to hit")})
     html += std::string("<span><i style='background:") + colour_of(error) + "'></i> " + words + "</span>";
   html += "</p>\n";
   for (const Condition& condition : conditions) {

@@ -14,7 +14,7 @@ namespace {
 
 /// The worst of all rays at one value.
 struct Worst {
-  bool missed = false, self_shadow = false;
+  bool missed = false, self_shadow = false, counts = false;
   double ulps = 0, relative = 0;
 };
 
@@ -33,7 +33,9 @@ class Sweeper {
       if (!all.empty() && value == all.back().first) continue;
       all.emplace_back(value, at(value));
       const Worst& w = all.back().second;
-      row.curve.emplace_back(value, w.missed || w.self_shadow ? 1 : std::min(1.0, w.relative));
+      row.curve.emplace_back(value, !w.counts                   ? std::numeric_limits<double>::quiet_NaN()
+                                    : w.missed || w.self_shadow ? 1
+                                                                : std::min(1.0, w.relative));
     }
     row.breaks.missed = first(all, [](const Worst& w) { return w.missed; });
     row.breaks.ulp16 = first(all, [](const Worst& w) { return w.ulps > 16; });
@@ -52,6 +54,7 @@ class Sweeper {
     for (int i = 0; i < rays_; ++i) {
       const Trial trial = experiment_(value, random);
       if (!trial.counts) continue;
+      worst.counts = true;
       worst.missed |= trial.missed;
       worst.self_shadow |= trial.self_shadow;
       if (trial.missed) continue;
@@ -100,7 +103,8 @@ class Kept {
     const Json& b = json["breaks"];
     row.breaks = {number(b["missed"]), number(b["ulp16"]), number(b["e6"]), number(b["percent"]),
                   number(b["self_shadow"])};
-    for (const Json& point : json["curve"]) row.curve.emplace_back(point[0], point[1]);
+    for (const Json& point : json["curve"])
+      row.curve.emplace_back(point[0], number(point[1]).value_or(std::numeric_limits<double>::quiet_NaN()));
     return true;
   }
   void keep(const std::string& condition, const Row& row, const Json& json) const {
@@ -112,7 +116,7 @@ class Kept {
 
  private:
   std::string path(const std::string& condition, const Row& row) const {
-    constexpr const char* settings = "rows 3";  // another number when a method or a sweep changes
+    constexpr const char* settings = "rows 4";  // another number when a method or a sweep changes
     return directory_ + "/stability-" +
            sha256(std::string(PLUMB_VERSION) + " " + settings + " " + condition + " " + row.method + " " +
                   row.real + (quick_ ? " quick" : " full")) +
