@@ -87,9 +87,9 @@ std::vector<const Fault*> alike(const Evidence& evidence, const Fit& fit, std::s
 
 FoundFault found_fault(const Evidence& evidence, const Fit& fit, std::size_t fault, double explained) {
   FoundFault found{&fault_catalogue()[fault], 0, 0, alike(evidence, fit, fault)};
-  const std::vector<float> with = evidence.survey_differences(fit);
+  const std::vector<float> with = evidence.differences_at(fit, evidence.survey());
   const std::vector<float> otherwise =
-      evidence.survey_differences({without(fit.set, fault), fit.encoding, 0});
+      evidence.differences_at({without(fit.set, fault), fit.encoding, 0, 0}, evidence.survey());
   std::size_t righted = 0;
   for (std::size_t i = 0; i < with.size(); ++i)
     righted += is_close(with[i]) && !is_close(otherwise[i]) ? 1 : 0;

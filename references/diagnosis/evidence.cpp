@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 
 namespace plumb::references {
@@ -10,7 +11,7 @@ namespace {
 
 constexpr float levels = 255;
 constexpr double most_units_of_survey = 8e6;  // a fifth of a second
-constexpr double most_units_in_all = 2e8;     // 6 s
+constexpr double most_units_in_all = 2.5e8;   // 7 s
 
 /// The largest difference of the three channels, in levels. What is no number on both sides agrees.
 float difference(const float* colour, const float* seen, const OutputEncoding& encoding) {
@@ -20,6 +21,30 @@ float difference(const float* colour, const float* seen, const OutputEncoding& e
     largest = std::max(largest, std::abs(level - seen[channel]));
   }
   return std::isfinite(largest) ? largest : levels;
+}
+
+/// Chatterjee's coefficient of y as a function of x, with ties of y; what is no number in x is told apart
+/// from nothing. Zero where y is constant.
+double xi(const std::vector<float>& x, const std::vector<float>& y) {
+  const std::size_t n = x.size();
+  std::vector<std::size_t> order(n);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto key = [&](std::size_t i) { return std::isfinite(x[i]) ? x[i] : -1.0F; };
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
+  std::vector<float> sorted = y;
+  std::sort(sorted.begin(), sorted.end());
+  const auto not_above = [&](std::size_t i) {
+    return static_cast<double>(std::upper_bound(sorted.begin(), sorted.end(), y[i]) - sorted.begin());
+  };
+  double steps = 0;
+  double spread = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (i > 0) steps += std::abs(not_above(order[i]) - not_above(order[i - 1]));
+    const auto not_below =
+        static_cast<double>(sorted.end() - std::lower_bound(sorted.begin(), sorted.end(), y[i]));
+    spread += not_below * (static_cast<double>(n) - not_below);
+  }
+  return spread == 0 ? 0 : 1 - static_cast<double>(n) * steps / (2 * spread);
 }
 
 }  // namespace
@@ -70,6 +95,8 @@ Evidence::Evidence(const Scene& scene, const Camera& camera, const textbook::Ren
                                                        static_cast<double>(pixels))));
 }
 
+bool Evidence::is_over(double share) const { return work_.spent() > share * most_units_in_all; }
+
 void Evidence::look_at(const std::vector<PixelPlace>& pixels) { places_ = pixels; }
 
 std::size_t Evidence::index_of(const PixelPlace& place) const {
@@ -101,11 +128,12 @@ double Evidence::misfit(const std::vector<float>& colours, const OutputEncoding&
 
 Fit Evidence::fit(const FaultSet& set, std::size_t most) const {
   const std::vector<float> traced = colours(set, first(most));
-  Fit best{set, encodings_.front(), std::numeric_limits<double>::infinity()};
+  Fit best{set, encodings_.front(), std::numeric_limits<double>::infinity(), 0};
   for (const OutputEncoding& encoding : encodings_) {
     const double misfit = this->misfit(traced, encoding);
-    if (misfit < best.misfit) best = {set, encoding, misfit};
+    if (misfit < best.misfit) best = {set, encoding, misfit, 0};
   }
+  best.association = association(traced);
   return best;
 }
 
@@ -123,11 +151,25 @@ std::vector<FaultSet> Evidence::alike(const Fit& fit, const std::vector<FaultSet
   return found;
 }
 
-std::vector<float> Evidence::survey_differences(const Fit& fit) const {
-  const std::vector<float> traced = colours(fit.set, survey_);
-  std::vector<float> all(survey_.size());
+double Evidence::association(const std::vector<float>& colours) const {
+  std::vector<float> given(colours.size() / 3);
+  std::vector<float> levels_seen(given.size());
+  double sum = 0;
+  for (std::size_t channel = 0; channel < 3; ++channel) {
+    for (std::size_t i = 0; i < given.size(); ++i) {
+      given[i] = colours[3 * i + channel];
+      levels_seen[i] = seen(index_of(places_[i]))[channel];
+    }
+    sum += xi(given, levels_seen);
+  }
+  return sum / 3;
+}
+
+std::vector<float> Evidence::differences_at(const Fit& fit, const std::vector<PixelPlace>& places) const {
+  const std::vector<float> traced = colours(fit.set, places);
+  std::vector<float> all(places.size());
   for (std::size_t i = 0; i < all.size(); ++i)
-    all[i] = difference(&traced[3 * i], seen(index_of(survey_[i])), fit.encoding);
+    all[i] = difference(&traced[3 * i], seen(index_of(places[i])), fit.encoding);
   return all;
 }
 

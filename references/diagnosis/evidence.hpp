@@ -21,6 +21,11 @@ struct Fit {
   /// Mean of ln(1 + d) over the pixels looked at, d the largest difference of a pixel in levels of 8 bits: it
   /// asks how many pixels are right before it asks how wrong the others are.
   double misfit = 0;
+  /// How far the picture is a function of what the set gives, whichever: Chatterjee's xi ("A New Coefficient
+  /// of Correlation", 2021), mean of the channels; 1 when it is one, about 0 when they have nothing to do
+  /// with each other. Where the right points are seen in each pixel, it is high even if they have wrong
+  /// colours.
+  double association = 0;
 };
 
 /// In this order any first part of them lies evenly over the picture (Weyl's sequence by the plastic number,
@@ -32,8 +37,8 @@ class Evidence {
   /// All must outlive it. The job's size is the picture's.
   Evidence(const Scene& scene, const Camera& camera, const textbook::RenderJob& job, const ImageFile& seen);
 
-  /// Whether the search has to end: what it may trace is traced.
-  bool is_over() const { return work_.is_over(); }
+  /// Whether this share of what the search may trace is traced.
+  bool is_over(double share) const;
   /// Units of Work that a pixel of the right picture costs on average.
   double units_of_pixel() const { return units_of_pixel_; }
   /// The pixels that count from now on.
@@ -45,13 +50,13 @@ class Evidence {
 
   /// At the first `most` of the pixels, with the best encoding. A set that cannot be traced fits worst.
   Fit fit(const FaultSet& set, std::size_t most) const;
+  /// At these pixels, in the fit's encoding: largest difference of each, in levels.
+  std::vector<float> differences_at(const Fit& fit, const std::vector<PixelPlace>& places) const;
   /// Those of the sets that give the same levels as a fit at all pixels looked at.
   std::vector<FaultSet> alike(const Fit& fit, const std::vector<FaultSet>& sets) const;
 
   /// Places spread evenly over the picture: all, where that costs little.
   const std::vector<PixelPlace>& survey() const { return survey_; }
-  /// Largest difference at each place of the survey, in levels.
-  std::vector<float> survey_differences(const Fit& fit) const;
   /// Largest difference of each pixel of the picture, in levels, row by row.
   std::vector<float> differences(const Fit& fit) const;
 
@@ -66,6 +71,7 @@ class Evidence {
   std::vector<PixelPlace> first(std::size_t most) const;
   std::size_t index_of(const PixelPlace& place) const;
   double misfit(const std::vector<float>& colours, const OutputEncoding& encoding) const;
+  double association(const std::vector<float>& colours) const;
 
   const Scene& scene_;
   const Camera& camera_;

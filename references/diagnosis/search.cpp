@@ -12,8 +12,10 @@ constexpr std::size_t first_beam_width = 10;  // because of several faults each 
 constexpr std::size_t most_faults = 7;
 constexpr std::size_t screened = 14;  // of the first look, that are looked at with all pixels
 constexpr std::size_t telling_of_fault = 3;
-constexpr std::size_t glance = 60;  // pixels, at pairs of faults
-constexpr double most_units = 8e7;  // of Work: some 3 s
+constexpr std::size_t polishing = 200;   // wrong pixels, and right ones, that polishing looks at
+constexpr std::size_t least_wrong = 12;  // because float and double disagree in so many
+constexpr std::size_t glance = 60;       // pixels, at pairs of faults
+constexpr double most_units = 3e7;       // of Work: some 1 s
 constexpr double nothing_left =
     0.005;                     // because float and double disagree by a level in some of a thousand pixels
 constexpr double looks = 450;  // at all even pixels, in a search for two or three faults
@@ -27,7 +29,7 @@ class Search {
       : evidence_(evidence),
         even_(std::min(evidence.pixels_of_picture() / 4 + 1,
                        static_cast<std::size_t>(
-                           std::clamp(most_units / (looks * evidence.units_of_pixel()), 150.0, 1500.0)))),
+                           std::clamp(most_units / (looks * evidence.units_of_pixel()), 100.0, 500.0)))),
         has_effect_(fault_catalogue().size(), false) {}
 
   Fit best() {
@@ -36,22 +38,24 @@ class Search {
     if (beam.front().misfit <= nothing_left) return beam.front();
     choose_telling_pixels();
     look_again(beam);
-    Fit best = climbed(beam);
-    if (best.misfit <= nothing_left || evidence_.is_over()) return best;
-    std::vector<Fit> seeds = pairs();
-    if (seeds.empty()) return best;
-    const Fit from_pairs = climbed(std::move(seeds));
+    Fit best = polished(climbed(beam));
+    if (best.misfit <= nothing_left) return best;
+    share_ = 0.85;
+    const Fit from_pairs = polished(climbed(pairs()));
     best = evidence_.fit(best.set, evidence_.pixels());
     return cost(from_pairs) < cost(best) ? from_pairs : best;
   }
 
  private:
+  bool is_over() const { return evidence_.is_over(share_); }
+
   /// The best set that is reached by one more fault at a time, refined.
   Fit climbed(std::vector<Fit> beam) {
+    if (beam.empty()) return {};
     Fit best = beam.front();
     // Of two faults that spoil the same pixels neither alone need bring a gain: one more level is tried.
-    for (int patience = 2; patience > 0 && !evidence_.is_over() && best.misfit > nothing_left &&
-                           beam.front().set.size() < most_faults;) {
+    for (int patience = 2;
+         patience > 0 && !is_over() && best.misfit > nothing_left && beam.front().set.size() < most_faults;) {
       std::vector<Fit> next = expanded(beam);
       if (next.empty()) break;
       beam = std::move(next);
@@ -91,7 +95,7 @@ class Search {
     std::vector<PixelPlace> places = spread(evidence_.width(), evidence_.height(), even_);
     evidence_.look_at(places);
     Fit best = evidence_.fit(beam.front().set, places.size());
-    const std::vector<float> differences = evidence_.survey_differences(best);
+    const std::vector<float> differences = evidence_.differences_at(best, evidence_.survey());
     std::vector<PixelPlace> open;
     for (std::size_t i = 0; i < differences.size(); ++i) {
       if (differences[i] > 1) open.push_back(evidence_.survey()[i]);
@@ -138,7 +142,7 @@ class Search {
     std::set<FaultSet> tried;
     std::vector<Fit> fits;
     for (const Fit& fit : beam) {
-      if (evidence_.is_over()) break;
+      if (is_over()) break;
       for (std::size_t fault = 0; fault < fault_catalogue().size(); ++fault) {
         if (!has_effect_[fault] || std::binary_search(fit.set.begin(), fit.set.end(), fault)) continue;
         if (!tried.insert(with(fit.set, fault)).second) continue;
@@ -157,8 +161,7 @@ class Search {
         if (has_effect_[b]) pairs.push_back(evidence_.fit({a, b}, glance));
       }
     }
-    sort(pairs);
-    pairs.resize(std::min(pairs.size(), 3 * screened));
+    pairs = leading(std::move(pairs), 3 * screened);
     for (Fit& pair : pairs) pair = evidence_.fit(pair.set, first_look());
     return best_of(std::move(pairs), first_beam_width);
   }
@@ -167,28 +170,37 @@ class Search {
 
   /// Of fits to the pixels of the first look.
   std::vector<Fit> best_of(std::vector<Fit> fits, std::size_t most) const {
-    sort(fits);
-    fits.resize(std::min(fits.size(), screened));
+    fits = leading(std::move(fits), screened);
     for (Fit& fit : fits) fit = evidence_.fit(fit.set, evidence_.pixels());
+    return leading(std::move(fits), most);
+  }
+
+  /// Of sorted fits those that are as good as a cheaper one to the last digit: a fault without effect beside
+  /// others.
+  static void drop_without_effect(std::vector<Fit>& fits) {
+    std::set<std::pair<double, double>> known;
+    const auto is_known = [&](const Fit& fit) { return !known.insert({fit.misfit, fit.association}).second; };
+    fits.erase(std::remove_if(fits.begin(), fits.end(), is_known), fits.end());
+  }
+
+  /// Those that fit best, best first, and a third as many that see the right points, as far as one can tell:
+  /// of a wrong view and wrong colours neither fits while the other is wrong.
+  static std::vector<Fit> leading(std::vector<Fit> fits, std::size_t most) {
     sort(fits);
-    fits.resize(std::min(fits.size(), most));
+    drop_without_effect(fits);
+    const auto best = static_cast<std::ptrdiff_t>(std::min(fits.size(), most));
+    std::stable_sort(fits.begin() + best, fits.end(),
+                     [](const Fit& a, const Fit& b) { return a.association > b.association; });
+    fits.resize(std::min(fits.size(), most + most / 3));
     return fits;
   }
 
   /// Takes out what is not needed, and exchanges what another fault does better.
   Fit refined(Fit best) const {
-    for (bool improves = true; improves && !evidence_.is_over();) {
+    for (bool improves = true; improves && !is_over();) {
       improves = false;
-      std::vector<FaultSet> sets;
-      for (std::size_t i = 0; i < best.set.size(); ++i) {
-        FaultSet without = best.set;
-        without.erase(without.begin() + static_cast<std::ptrdiff_t>(i));
-        sets.push_back(without);
-        for (std::size_t fault = 0; fault < fault_catalogue().size(); ++fault) {
-          if (has_effect_[fault] && !std::binary_search(best.set.begin(), best.set.end(), fault))
-            sets.push_back(with(without, fault));
-        }
-      }
+      std::vector<FaultSet> sets = exchanged(best.set);
+      for (std::size_t i = 0; i < best.set.size(); ++i) sets.push_back(without(best.set, i));
       std::vector<Fit> fits;
       for (const FaultSet& set : sets) fits.push_back(evidence_.fit(set, first_look()));
       fits = best_of(std::move(fits), 1);
@@ -200,8 +212,105 @@ class Search {
     return best;
   }
 
+  /// What a few pixels tell, because nothing else is left: faults that are seen nowhere else.
+  Fit polished(Fit best) const {
+    for (int round = 0; round < 4 && !evidence_.is_over(1); ++round) {
+      const std::vector<float> differences = evidence_.differences_at(best, evidence_.survey());
+      std::vector<PixelPlace> wrong, right;
+      for (std::size_t i = 0; i < differences.size(); ++i)
+        (differences[i] >= 1 ? wrong : right).push_back(evidence_.survey()[i]);
+      if (wrong.size() < least_wrong) break;
+      const double right_of_wrong = static_cast<double>(right.size()) / static_cast<double>(wrong.size());
+      Fit better = changed(best, one_more_or_less(best.set), some_of(wrong), some_of(right), right_of_wrong);
+      if (better.set == best.set)
+        better = changed(best, exchanged(best.set), some_of(wrong), some_of(right), right_of_wrong);
+      if (better.set == best.set) break;
+      best = better;
+    }
+    return needed(best);
+  }
+
+  /// Without the faults that right no pixel.
+  Fit needed(Fit best) const {
+    double right = share_right(best, evidence_.survey());
+    for (std::size_t i = 0; i < best.set.size();) {
+      Fit less = best;
+      less.set = without(best.set, i);
+      const double still_right = share_right(less, evidence_.survey());
+      if (still_right >= right) {
+        best = less;
+        right = still_right;
+      } else {
+        ++i;
+      }
+    }
+    return evidence_.fit(best.set, evidence_.pixels());
+  }
+
+  static std::vector<PixelPlace> some_of(const std::vector<PixelPlace>& places) {
+    std::vector<PixelPlace> some;
+    const std::size_t count = std::min(places.size(), polishing);
+    for (std::size_t i = 0; i < count; ++i) some.push_back(places[i * places.size() / count]);
+    return some;
+  }
+
+  /// The set with one fault more, less or another, that rights most of the wrong pixels: a quarter at least,
+  /// and ten for each that it spoils.
+  Fit changed(const Fit& best, const std::vector<FaultSet>& sets, const std::vector<PixelPlace>& wrong,
+              const std::vector<PixelPlace>& right, double right_of_wrong) const {
+    Fit found = best;
+    double most = 0.25;
+    for (const FaultSet& set : sets) {
+      const double righted = share_right({set, best.encoding, 0, 0}, wrong);
+      if (righted <= most) continue;
+      const double spoilt = 1 - share_right({set, best.encoding, 0, 0}, right);
+      if (righted - 10 * spoilt * right_of_wrong <= most) continue;
+      most = righted - 10 * spoilt * right_of_wrong;
+      found.set = set;
+    }
+    return found;
+  }
+
+  double share_right(const Fit& fit, const std::vector<PixelPlace>& places) const {
+    const std::vector<float> differences = evidence_.differences_at(fit, places);
+    const auto right = std::count_if(differences.begin(), differences.end(), [](float d) { return d < 1; });
+    return static_cast<double>(right) / static_cast<double>(std::max<std::size_t>(1, places.size()));
+  }
+
+  static FaultSet without(FaultSet set, std::size_t which) {
+    set.erase(set.begin() + static_cast<std::ptrdiff_t>(which));
+    return set;
+  }
+
+  /// Faults without effect at the pixels looked at, too, where a few others count.
+  std::vector<FaultSet> one_more(const FaultSet& set, bool is_any) const {
+    std::vector<FaultSet> sets;
+    for (std::size_t fault = 0; fault < fault_catalogue().size(); ++fault) {
+      if ((is_any || has_effect_[fault]) && !std::binary_search(set.begin(), set.end(), fault))
+        sets.push_back(with(set, fault));
+    }
+    return sets;
+  }
+
+  std::vector<FaultSet> one_more_or_less(const FaultSet& set) const {
+    std::vector<FaultSet> sets = one_more(set, true);
+    for (std::size_t i = 0; i < set.size(); ++i) sets.push_back(without(set, i));
+    return sets;
+  }
+
+  std::vector<FaultSet> exchanged(const FaultSet& set) const {
+    std::vector<FaultSet> sets;
+    for (std::size_t i = 0; i < set.size(); ++i) {
+      for (const FaultSet& other : one_more(without(set, i), false)) {
+        if (other != set) sets.push_back(other);
+      }
+    }
+    return sets;
+  }
+
   Evidence& evidence_;
   std::size_t even_;
+  double share_ = 0.45;  // of the work, for what is done now: some is left for pairs, and for polishing
   std::vector<bool> has_effect_;  // of the faults
   std::vector<PixelPlace> telling_;
 };
