@@ -25,8 +25,9 @@ std::string own_scenes() {
   return fs::is_directory(all + "/teaching") ? all + "/teaching" : all;
 }
 
+/// A link that is handed in is not followed: it may lead to what is not the submission's.
 Submission submission_at(const fs::path& path) {
-  return {path.filename().string(), fs::canonical(path).string()};
+  return {path.filename().string(), (fs::canonical(path.parent_path()) / path.filename()).string()};
 }
 
 }  // namespace
@@ -45,9 +46,7 @@ std::vector<JudgedScene> scenes_to_judge(const std::string& directory, const Dia
 
 std::vector<Submission> submissions_in(const std::string& directory) {
   std::vector<Submission> all;
-  for (const fs::path& path : entries_of(directory)) {
-    if (fs::exists(path)) all.push_back(submission_at(path));
-  }
+  for (const fs::path& path : entries_of(directory)) all.push_back(submission_at(path));
   if (all.empty()) throw std::runtime_error(directory + ": found nothing in it, expected submissions");
   return all;
 }
@@ -55,7 +54,7 @@ std::vector<Submission> submissions_in(const std::string& directory) {
 std::vector<Submission> pictures_in(const std::string& directory) {
   std::vector<Submission> all;
   for (const fs::path& path : entries_of(directory))
-    if (fs::is_directory(path)) all.push_back(submission_at(path));
+    if (fs::is_directory(fs::symlink_status(path))) all.push_back(submission_at(path));
   if (all.empty()) {
     const fs::path self = fs::canonical(directory);
     all.push_back({self.filename().string(), self.string()});

@@ -61,7 +61,6 @@ struct JudgeOptions {
   SandboxLimits limits;
   int jobs = 2;
   bool keeps_pictures = false;
-  std::string dialect_name;
   Dialect dialect;
   RenderOptions render;
   std::function<void(double)> progress;  ///< from one thread at a time

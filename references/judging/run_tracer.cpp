@@ -33,7 +33,7 @@ SandboxView view_for(const Submission& submission, const std::vector<std::string
   for (const std::string& argument : command) allow(argument, options, view.readable);
   if (options.submissions_directory.empty()) return view;
   view.hidden.push_back(options.submissions_directory);
-  view.readable.push_back(submission.path);
+  if (!fs::is_symlink(submission.path)) view.readable.push_back(submission.path);
   return view;
 }
 

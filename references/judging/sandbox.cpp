@@ -42,6 +42,7 @@ void limit(__rlimit_resource resource, std::size_t amount) {
   constexpr std::size_t users_processes = 4096;  // behind the watcher, in case that it is late
   static char* const no_environment[] = {nullptr};
   prctl(PR_SET_PDEATHSIG, SIGKILL);
+  setpriority(PRIO_PROCESS, 0, 10);  // so that a bomb does not hold up who watches it
   const int null = open("/dev/null", O_RDONLY);
   if (dup2(null, 0) < 0 || dup2(output, 1) < 0 || dup2(output, 2) < 0) _exit(127);
   close_range(3, ~0U, 0);
