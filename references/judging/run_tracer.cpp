@@ -134,7 +134,7 @@ std::string picture_handed_in(const Submission& submission, const JudgedScene& s
                               JudgedPicture& result) {
   Found found = Found::nothing;
   for (const char* extension : {".ppm", ".png", ".pfm", ".exr", ".tif", ".tiff", ".jpg", ".bmp", ".tga"}) {
-    const std::string target = target_in(own_directory, extension);
+    const std::string target = target_in(own_directory, scene.name + extension);
     found = take_file(submission.path, scene.name + extension, options.limits.disk_bytes, target);
     if (found == Found::picture) return target;
     if (found != Found::nothing) break;

@@ -34,7 +34,9 @@ class JudgeCommand : public testing::Test {
                                    "--readable", build, "--timeout", "2", "--json", "-"});
     EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
     std::map<std::string, Json> pictures;
-    for (const Json& picture : Json::parse(outcome.out)["pictures"])
+    const Json all = Json::parse(outcome.out, nullptr, false);
+    EXPECT_TRUE(all.is_object()) << outcome.out << outcome.err;
+    for (const Json& picture : all.value("pictures", Json::array()))
       pictures[picture["submission"].get<std::string>()] = picture;
     return pictures;
   }
