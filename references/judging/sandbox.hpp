@@ -33,6 +33,7 @@ struct SandboxView {
   std::string writable;               ///< host directory, seen as `sandbox_directory`
   std::vector<std::string> readable;  ///< absolute paths, seen as they are
   std::vector<std::string> hidden;    ///< more directories to hide
+  unsigned user = 0;                  ///< that it becomes, of root's runs; set by run_confined
 };
 
 /// Where a confined program runs; the rest of /tmp is its own, small, and lost.

@@ -39,21 +39,34 @@ bool is_hidden(const std::string& path) {
 
 std::vector<std::string> sandbox_arguments(const std::string& bwrap, const std::vector<std::string>& command,
                                            const SandboxView& view) {
-  std::vector<std::string> all{bwrap,           "--unshare-all", "--die-with-parent",
-                               "--new-session", "--clearenv",    "--cap-drop",
-                               "ALL",           "--hostname",    "sandbox"};
+  std::vector<std::string> all{bwrap,        "--die-with-parent", "--new-session",
+                               "--clearenv", "--cap-drop",        "ALL"};
+  add(all, {"--unshare-ipc", "--unshare-pid", "--unshare-net", "--unshare-uts", "--unshare-cgroup-try"});
+  if (view.user == 0)
+    add(all, {"--unshare-user"});
+  else
+    add(all, {"--cap-add", "CAP_SETUID", "--cap-add", "CAP_SETGID"});
   add(all, {"--ro-bind", "/", "/", "--proc", "/proc", "--dev", "/dev"});
   add(all, {"--size", own_bytes, "--tmpfs", "/dev/shm", "--remount-ro", "/dev"});
   std::vector<std::string> hidden = hidden_places();
   hidden.insert(hidden.end(), view.hidden.begin(), view.hidden.end());
   for (const std::string& place : hidden) add(all, {"--size", own_bytes, "--tmpfs", place});
-  for (const std::string& path : view.readable) add(all, {"--ro-bind", path, path});
+  for (const std::string& path : view.readable) {
+    for (std::size_t at = path.find('/', 1); at != std::string::npos; at = path.find('/', at + 1))
+      if (is_hidden(path.substr(0, at))) add(all, {"--perms", "0755", "--dir", path.substr(0, at)});
+    add(all, {"--ro-bind", path, path});
+  }
   add(all, {"--bind", view.writable, sandbox_directory});
   for (const std::string& place : hidden)
     if (!lies_in(sandbox_directory, place)) add(all, {"--remount-ro", place});
   add(all, {"--setenv", "PATH", "/usr/local/bin:/usr/bin:/bin", "--setenv", "HOME", sandbox_directory});
   add(all, {"--setenv", "TMPDIR", "/tmp", "--setenv", "LC_ALL", "C.UTF-8"});
-  add(all, {"--chdir", sandbox_directory, "--"});
+  add(all,
+      {"--chdir", view.user == 0 ? sandbox_directory : "/", "--"});  // root without its rights may not enter
+  const std::string id = std::to_string(view.user);
+  if (view.user != 0)
+    add(all, {"/usr/bin/setpriv", "--reuid", id, "--regid", id, "--clear-groups", "--no-new-privs", "--",
+              "/usr/bin/env", "-C", sandbox_directory});
   all.insert(all.end(), command.begin(), command.end());
   return all;
 }
