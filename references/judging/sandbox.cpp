@@ -40,7 +40,8 @@ void limit(__rlimit_resource resource, std::size_t amount) {
 
 /// Between fork and exec: only calls that are safe there.
 [[noreturn]] void become(char* const* arguments, int output, const SandboxLimits& limits) {
-  constexpr std::size_t users_processes = 1024;  // behind the watcher, in case that it is late
+  // Behind the watcher, in case that it is late; threads count, too. Others' runs of root are other users.
+  const std::size_t users_processes = geteuid() == 0 ? 4 * limits.processes : 1024;
   static char* const no_environment[] = {nullptr};
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   setpriority(PRIO_PROCESS, 0, 10);  // so that a bomb does not hold up who watches it
