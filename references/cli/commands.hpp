@@ -27,6 +27,7 @@ Command add_faults(CLI::App& plumb);
 Command add_diagnose(CLI::App& plumb);
 Command add_stability(CLI::App& plumb);
 Command add_chart(CLI::App& plumb);
+Command add_judge(CLI::App& plumb);
 
 inline constexpr int exit_agrees = 0;
 inline constexpr int exit_differs = 1;

@@ -19,9 +19,9 @@ int run(int argc, char** argv) {
   app.require_subcommand(0, 1);  // so that an unknown word is named
   app.footer("Example: plumb verify tests/scenes/*.sdf\nExit codes: 0 agrees, 1 differs, 2 trouble.");
   const std::vector<Command> commands{
-      add_render(app), add_export(app),     add_verify(app),  add_compare(app), add_explain(app),
-      add_lint(app),   add_references(app), add_regress(app), add_needs(app),   add_stability(app),
-      add_chart(app),  add_faults(app),     add_diagnose(app)};
+      add_render(app), add_export(app),     add_verify(app),   add_compare(app), add_explain(app),
+      add_lint(app),   add_references(app), add_regress(app),  add_needs(app),   add_stability(app),
+      add_chart(app),  add_faults(app),     add_diagnose(app), add_judge(app)};
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

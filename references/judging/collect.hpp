@@ -1,0 +1,16 @@
+// The picture that a program we do not trust left in a directory: never followed out of it, never waited for.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+namespace plumb::references {
+
+enum class Found { picture, nothing, not_a_file, too_large };
+
+/// Copies the regular file `name`, relative to `directory`, to `target`. A symbolic link anywhere on the way,
+/// a pipe, a device or a directory is not_a_file; a name that leads out of the directory finds nothing.
+Found take_file(const std::string& directory, const std::string& name, std::size_t most_bytes,
+                const std::string& target);
+
+}  // namespace plumb::references

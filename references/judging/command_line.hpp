@@ -1,0 +1,22 @@
+// The command of a tracer, as its user wrote it, made into arguments: no shell ever reads it.
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace plumb::references {
+
+/// Splits at blanks; '...' keeps all, "..." and a bare \ keep the next character after a \. Nothing else has
+/// a meaning: no variable, no pattern, no pipe. Throws std::invalid_argument for an open quote or no word.
+std::vector<std::string> split_command(std::string_view command);
+
+/// Whether an argument holds {name}.
+bool mentions(const std::vector<std::string>& arguments, std::string_view name);
+
+/// Each {name} within an argument becomes its value, once: what a value holds is not looked at again.
+std::vector<std::string> substituted(const std::vector<std::string>& arguments,
+                                     const std::map<std::string, std::string>& values);
+
+}  // namespace plumb::references

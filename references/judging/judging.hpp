@@ -1,0 +1,84 @@
+// Other people's tracers judged by their pictures: each submission on each scene gets a verdict, whatever
+// happens.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "references/diagnosis/diagnosis.hpp"
+#include "references/judging/sandbox.hpp"
+#include "tracer/scene/dialect.hpp"
+#include "tracer/scene/render_options.hpp"
+
+namespace plumb::references {
+
+enum class Judged {
+  right,
+  faults,       ///< known ones explain the picture
+  unexplained,  ///< wrong, in a way that is not known
+  wrong_size,
+  no_image,
+  unreadable,  ///< also a picture that is cut off
+  crashed,     ///< by a signal, or with an exit code and no picture
+  timed_out,
+  too_much_cpu,
+  too_much_memory,
+  too_many_processes,
+  too_much_output
+};
+
+/// As the reports say it, e.g. "too-much-output".
+const char* to_string(Judged verdict);
+
+struct JudgedScene {
+  std::string name;  ///< of the file, without .sdf
+  std::string path;
+  Scene scene;
+};
+
+struct Submission {
+  std::string name;
+  std::string path;  ///< {submission}, absolute, or the directory of its pictures; may be empty
+};
+
+struct JudgedPicture {
+  std::string submission;
+  std::string scene;
+  Judged verdict = Judged::no_image;
+  std::string message;                   ///< one line; empty when there is a diagnosis
+  std::string printed;                   ///< by the program
+  double wall_seconds = 0;               ///< of the program
+  std::optional<Diagnosis> diagnosis;    ///< when there was a picture of the right size
+  std::string ours, theirs, difference;  ///< PNG files, when they are kept
+};
+
+struct JudgeOptions {
+  std::vector<std::string> command;   ///< with {scene} {image} {submission}; empty: pictures only
+  std::string submissions_directory;  ///< hidden from each submission but for its own; may be empty
+  std::vector<std::string> readable;  ///< paths that a program may read in the hidden places
+  SandboxLimits limits;
+  int jobs = 2;
+  bool keeps_pictures = false;
+  Dialect dialect;
+  RenderOptions render;
+  std::function<void(double)> progress;  ///< from one thread at a time
+};
+
+/// The scenes of a directory, *.sdf, by name; those of plumb itself when it is empty. Throws
+/// std::runtime_error.
+std::vector<JudgedScene> scenes_to_judge(const std::string& directory, const Dialect& dialect);
+
+/// Each entry of a directory, by name. Throws std::runtime_error when there is none.
+std::vector<Submission> submissions_in(const std::string& directory);
+
+/// The submissions of a directory of pictures: its directories; itself, when it has none.
+std::vector<Submission> pictures_in(const std::string& directory);
+
+/// All submissions on all scenes, by submission, then by scene. Throws std::runtime_error only for trouble of
+/// ours, e.g. when nothing can be confined.
+std::vector<JudgedPicture> judge_all(const std::vector<Submission>& submissions,
+                                     const std::vector<JudgedScene>& scenes, const JudgeOptions& options);
+
+}  // namespace plumb::references

@@ -1,0 +1,102 @@
+#include "references/judging/overview.hpp"
+
+#include <map>
+
+#include "references/junit.hpp"
+
+namespace plumb::references {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// What a spreadsheet evaluates begins with one of these (OWASP, "CSV Injection").
+std::string csv_cell(std::string text) {
+  if (!text.empty() && std::string_view("=+-@\t\r").find(text.front()) != std::string_view::npos)
+    text.insert(0, "'");
+  std::string cell = "\"";
+  for (const char c : text) cell += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return cell + "\"";
+}
+
+std::string fault_list(const JudgedPicture& picture, HintLevel hint) {
+  std::string list;
+  if (!picture.diagnosis || picture.verdict != Judged::faults) return list;
+  for (const FoundFault& found : picture.diagnosis->faults)
+    list += (list.empty() ? "" : "; ") + named(*found.fault, hint);
+  return list;
+}
+
+Json fault_json(const FoundFault& found, HintLevel hint) {
+  const Fault& fault = *found.fault;
+  Json json{{"slide", fault.slide}, {"confidence", found.confidence}, {"pixels", found.pixels}};
+  if (hint >= 2) json["title"] = fault.explanation;
+  if (hint < 3) return json;
+  json["id"] = fault.id;
+  json["catalogue"] = fault.catalogue;
+  json["wrong"] = fault.wrong;
+  json["right"] = fault.right;
+  return json;
+}
+
+Json picture_json(const JudgedPicture& picture, HintLevel hint) {
+  Json json{{"submission", picture.submission},
+            {"scene", picture.scene},
+            {"verdict", to_string(picture.verdict)},
+            {"message", picture.message},
+            {"wall_seconds", picture.wall_seconds}};
+  if (!picture.printed.empty()) json["printed"] = picture.printed;
+  if (!picture.diagnosis) return json;
+  json["faults"] = Json::array();
+  for (const FoundFault& found : picture.diagnosis->faults) json["faults"].push_back(fault_json(found, hint));
+  json["encoding"] = picture.diagnosis->encoding.in_words();
+  json["remaining"] = {{"rms", picture.diagnosis->rms},
+                       {"pixels_over_2_255", picture.diagnosis->pixels_over}};
+  return json;
+}
+
+}  // namespace
+
+std::string named(const Fault& fault, HintLevel hint) {
+  if (hint == 1) return "slide " + std::string(fault.slide);
+  if (hint == 2) return std::string(fault.explanation);
+  return std::string(fault.id) + ": " + std::string(fault.explanation);
+}
+
+Json overview_json(const std::vector<JudgedPicture>& all, HintLevel hint) {
+  std::map<std::string, std::size_t> counts;
+  Json pictures = Json::array();
+  for (const JudgedPicture& picture : all) {
+    ++counts[to_string(picture.verdict)];
+    pictures.push_back(picture_json(picture, hint));
+  }
+  return {{"tool", "plumb"}, {"version", PLUMB_VERSION}, {"verdicts", counts}, {"pictures", pictures}};
+}
+
+std::string overview_csv(const std::vector<JudgedPicture>& all, HintLevel hint) {
+  std::string csv = "submission,scene,verdict,faults,message,wall_seconds\r\n";
+  for (const JudgedPicture& picture : all) {
+    csv += csv_cell(picture.submission) + "," + csv_cell(picture.scene) + "," + to_string(picture.verdict) +
+           "," + csv_cell(fault_list(picture, hint)) + "," + csv_cell(picture.message) + "," +
+           std::to_string(picture.wall_seconds) + "\r\n";
+  }
+  return csv;
+}
+
+std::string overview_junit(const std::vector<JudgedPicture>& all, HintLevel hint) {
+  std::vector<JunitCase> cases;
+  for (const JudgedPicture& picture : all) {
+    JunitCase one;
+    one.name = picture.submission + "/" + picture.scene;
+    one.seconds = picture.wall_seconds;
+    if (picture.verdict != Judged::right) {
+      one.outcome = JunitCase::Outcome::failed;
+      const std::string why = picture.message.empty() ? fault_list(picture, hint) : picture.message;
+      one.message = std::string(to_string(picture.verdict)) + (why.empty() ? "" : ": " + why);
+      one.details = picture.printed;
+    }
+    cases.push_back(one);
+  }
+  return junit_xml("plumb judge", cases);
+}
+
+}  // namespace plumb::references

@@ -1,0 +1,29 @@
+// A class of tracers at a glance: JSON, CSV, JUnit, and pages.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "references/judging/judging.hpp"
+
+namespace plumb::references {
+
+/// How much is told of a fault: 1 its slide, 2 what is wrong there, 3 the formula, too.
+using HintLevel = int;
+
+/// What a fault is called at that level, in one line.
+std::string named(const Fault& fault, HintLevel hint);
+
+nlohmann::ordered_json overview_json(const std::vector<JudgedPicture>& all, HintLevel hint);
+
+/// A line per picture, RFC 4180; a cell that a spreadsheet would take for a formula gets a ' before it.
+std::string overview_csv(const std::vector<JudgedPicture>& all, HintLevel hint);
+
+/// A suite with a case per picture.
+std::string overview_junit(const std::vector<JudgedPicture>& all, HintLevel hint);
+
+/// Writes index.html, and a page per submission, each by itself enough. Throws std::runtime_error.
+void write_overview(const std::string& directory, const std::vector<JudgedPicture>& all, HintLevel hint);
+
+}  // namespace plumb::references

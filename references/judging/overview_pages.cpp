@@ -1,0 +1,141 @@
+#include <filesystem>
+#include <map>
+
+#include "references/judging/overview.hpp"
+#include "references/report/escape.hpp"
+#include "references/report/packing.hpp"
+#include "tracer/image/files.hpp"
+
+namespace plumb::references {
+namespace {
+
+/// Colour-blind safe (Okabe and Ito, 2008), and each verdict is written out, too.
+constexpr const char* style = R"(
+:root{color-scheme:light}
+body{font:15px/1.45 system-ui,sans-serif;margin:2rem auto;padding:0 1.5rem;max-width:1500px;color:#1c1c1c;background:#fff}
+h1{font-size:1.5rem;margin:0 0 .3rem}h2{font-size:1.15rem;margin:2.2rem 0 .4rem;border-top:1px solid #ddd;padding-top:1rem}
+p{margin:.3rem 0}table{border-collapse:collapse;margin:1rem 0}
+th,td{padding:.25rem .55rem;text-align:left;border:1px solid #fff;font-weight:normal;vertical-align:top}
+thead th{position:sticky;top:0;background:#f2f2f2}tbody th{background:#f7f7f7;white-space:nowrap}
+td a{color:inherit;text-decoration:none;display:block}td a:hover{text-decoration:underline}
+td small{display:block;opacity:.85;max-width:22rem}
+.right{background:#bfe8d6}.faults{background:#ffe3a3}.unexplained{background:#f3c9df}
+.wrong-size,.no-image,.unreadable{background:#d6e4f5}
+.crashed,.timed-out,.too-much-cpu,.too-much-memory,.too-many-processes,.too-much-output{background:#f0b9a0}
+.tag{padding:.1rem .5rem;border-radius:.25rem}
+.row{display:flex;gap:1rem;flex-wrap:wrap;margin:.6rem 0}figure{margin:0}figcaption{font-size:.85rem;color:#555}
+img{display:block;image-rendering:pixelated;width:320px;max-width:100%;border:1px solid #ccc}
+pre{background:#f5f5f5;padding:.6rem;overflow:auto;max-height:14rem;white-space:pre-wrap}
+dl{margin:.5rem 0;display:grid;grid-template-columns:max-content 1fr;gap:.1rem .8rem}dt{color:#555}dd{margin:0}
+)";
+
+/// Nothing is loaded, and nothing runs, whatever a name holds.
+std::string page(const std::string& title, const std::string& body) {
+  return "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta http-equiv=\""
+         "Content-Security-Policy\" content=\"default-src 'none'; img-src data:; style-src 'unsafe-inline'\">"
+         "<meta name=\"viewport\" content=\"width=device-width\"><title>" +
+         html_escaped(title) + "</title><style>" + style + "</style></head><body>\n" + body +
+         "</body></html>\n";
+}
+
+std::string image(const std::string& png, const std::string& caption) {
+  return "<figure><img alt=\"" + caption + "\" src=\"data:image/png;base64," + base64(png) +
+         "\"><figcaption>" + caption + "</figcaption></figure>\n";
+}
+
+std::string definition(std::string_view term, std::string_view text) {
+  return "<dt>" + html_escaped(term) + "</dt><dd>" + html_escaped(text) + "</dd>\n";
+}
+
+std::string fault_text(const FoundFault& found, HintLevel hint) {
+  const Fault& fault = *found.fault;
+  std::string text = "<dl>\n" + definition("slide", fault.slide);
+  if (hint >= 2) text += definition("mistake", fault.explanation);
+  if (hint >= 3) {
+    text += definition("found", fault.wrong) + definition("right", fault.right) + definition("id", fault.id);
+    for (const Fault* other : found.alike)
+      text += definition("or", std::string(other->id) + ": the same picture here; tests/scenes/" +
+                                   std::string(other->shown_by) + " tells them apart");
+  }
+  return text + definition("pixels", std::to_string(found.pixels)) + "</dl>\n";
+}
+
+std::string tag(Judged verdict) {
+  const std::string name = to_string(verdict);
+  return "<span class=\"tag " + name + "\">" + name + "</span>";
+}
+
+std::string section(const JudgedPicture& picture, HintLevel hint) {
+  std::string text = "<h2 id=\"" + html_escaped(picture.scene) + "\">" + html_escaped(picture.scene) + " " +
+                     tag(picture.verdict) + "</h2>\n";
+  if (!picture.message.empty()) text += "<p>" + html_escaped(picture.message) + "</p>\n";
+  if (picture.diagnosis) {
+    text += "<p>" + html_escaped(picture.diagnosis->encoding.in_words()) + "; " +
+            std::to_string(picture.diagnosis->pixels_over) + " of " +
+            std::to_string(picture.diagnosis->pixels) + " pixels remain unexplained</p>\n";
+    if (picture.verdict == Judged::faults)
+      for (const FoundFault& found : picture.diagnosis->faults) text += fault_text(found, hint);
+  }
+  if (!picture.ours.empty()) {
+    text += "<div class=\"row\">" + image(picture.ours, "right") + image(picture.theirs, "handed in") +
+            image(picture.difference, "difference, times 8") + "</div>\n";
+  }
+  if (!picture.printed.empty()) text += "<pre>" + html_escaped(picture.printed) + "</pre>\n";
+  return text;
+}
+
+std::string cell(const JudgedPicture& picture, const std::string& file, HintLevel hint) {
+  const std::string verdict = to_string(picture.verdict);
+  std::string names;
+  if (picture.diagnosis && picture.verdict == Judged::faults)
+    for (const FoundFault& found : picture.diagnosis->faults)
+      names += "<small>" +
+               html_escaped(hint >= 3 ? std::string(found.fault->id) : named(*found.fault, hint)) +
+               "</small>";
+  return "<td class=\"" + verdict + "\"><a href=\"" + file + "#" + html_escaped(picture.scene) + "\">" +
+         verdict + "</a>" + names + "</td>";
+}
+
+std::string summary(const std::vector<JudgedPicture>& all) {
+  std::map<Judged, std::size_t> counts;
+  for (const JudgedPicture& picture : all) ++counts[picture.verdict];
+  std::string text = "<p>";
+  for (const auto& [verdict, count] : counts) text += tag(verdict) + " " + std::to_string(count) + " &ensp; ";
+  return text + "</p>\n";
+}
+
+/// Numbered, so that no name of a submission becomes one of a file.
+std::string page_name(std::size_t number) { return "submission-" + std::to_string(number + 1) + ".html"; }
+
+}  // namespace
+
+void write_overview(const std::string& directory, const std::vector<JudgedPicture>& all, HintLevel hint) {
+  std::filesystem::create_directories(directory);
+  std::string head = "<tr><th>submission</th>";
+  std::string rows;
+  std::size_t number = 0;
+  for (std::size_t begin = 0, end = 0; begin < all.size(); begin = end, ++number) {
+    const std::string& name = all[begin].submission;
+    std::string row;
+    std::string sections;
+    std::size_t right = 0;
+    for (end = begin; end < all.size() && all[end].submission == name; ++end) {
+      if (number == 0) head += "<th>" + html_escaped(all[end].scene) + "</th>";
+      row += cell(all[end], page_name(number), hint);
+      sections += section(all[end], hint);
+      right += all[end].verdict == Judged::right ? 1 : 0;
+    }
+    const std::string score = std::to_string(right) + " of " + std::to_string(end - begin) + " right";
+    rows += "<tr><th><a href=\"" + page_name(number) + "\">" + html_escaped(name) + "</a><br><small>" +
+            score + "</small></th>" + row + "</tr>\n";
+    write_file(directory + "/" + page_name(number),
+               page(name, "<p><a href=\"index.html\">all submissions</a></p><h1>" + html_escaped(name) +
+                              "</h1><p>" + score + "</p>\n" + sections));
+  }
+  write_file(
+      directory + "/index.html",
+      page("Tracers judged by plumb", "<h1>Tracers judged by plumb</h1>\n" + summary(all) + "<table><thead>" +
+                                          head + "</tr></thead><tbody>\n" + rows + "</tbody></table>\n"));
+}
+
+}  // namespace plumb::references

@@ -1,0 +1,147 @@
+#include "references/judging/run_tracer.hpp"
+
+#include <filesystem>
+
+#include "references/judging/collect.hpp"
+#include "references/judging/command_line.hpp"
+#include "references/process.hpp"
+#include "tracer/image/files.hpp"
+#include "tracer/image/format.hpp"
+
+namespace plumb::references {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What may be read for an argument that names a file: its directory, for what lies beside a program; the
+/// file alone where that directory is itself a home or the like, or all submissions'.
+void allow(const std::string& argument, const JudgeOptions& options, std::vector<std::string>& readable) {
+  std::error_code none;
+  if (!argument.starts_with("/") || !fs::exists(argument, none)) return;
+  const fs::path path = fs::path(argument).lexically_normal();
+  const bool is_submitted = !options.submissions_directory.empty() &&
+                            path.string().starts_with(options.submissions_directory + "/");
+  if (is_submitted || !is_hidden(path.string())) return;
+  const fs::path parent = path.parent_path();
+  const bool is_alone = fs::is_directory(path) || !is_hidden(parent.parent_path().string());
+  readable.push_back((is_alone ? path : parent).string());
+}
+
+SandboxView view_for(const Submission& submission, const std::vector<std::string>& command,
+                     const JudgeOptions& options, const std::string& directory) {
+  SandboxView view{directory, options.readable, {}};
+  for (const std::string& argument : command) allow(argument, options, view.readable);
+  if (options.submissions_directory.empty()) return view;
+  view.hidden.push_back(options.submissions_directory);
+  if (!fs::is_symlink(submission.path)) view.readable.push_back(submission.path);
+  return view;
+}
+
+Judged verdict_of(Ending ending) {
+  switch (ending) {
+    case Ending::timed_out:
+      return Judged::timed_out;
+    case Ending::too_much_cpu:
+      return Judged::too_much_cpu;
+    case Ending::too_much_memory:
+      return Judged::too_much_memory;
+    case Ending::too_many_processes:
+      return Judged::too_many_processes;
+    case Ending::too_much_output:
+      return Judged::too_much_output;
+    case Ending::finished:
+      break;
+  }
+  return Judged::no_image;
+}
+
+/// True when the run itself is the verdict.
+bool ended_badly(const SandboxRun& run, JudgedPicture& result) {
+  result.printed = run.printed;
+  result.wall_seconds = run.wall_seconds;
+  if (run.ending != Ending::finished) {
+    result.verdict = verdict_of(run.ending);
+    result.message = "stopped at a limit after " + std::to_string(run.wall_seconds).substr(0, 4) + " s";
+  } else if (run.signal != 0) {
+    result.verdict = Judged::crashed;
+    result.message = "ended by signal " + std::to_string(run.signal);
+  }
+  return !result.message.empty();
+}
+
+void say_why_none(Found found, int exit_code, JudgedPicture& result) {
+  result.verdict = Judged::no_image;
+  result.message = "no picture was written";
+  if (found == Found::not_a_file) {
+    result.message = "a link, a pipe or a directory stands where the picture should be";
+  } else if (found == Found::too_large) {
+    result.verdict = Judged::too_much_output;
+    result.message = "the picture's file is larger than allowed";
+  } else if (exit_code != 0) {
+    result.verdict = Judged::crashed;
+    result.message = "exit code " + std::to_string(exit_code) + " and no picture";
+  }
+}
+
+/// A directory may be left unreadable even for us.
+void make_removable(const std::string& directory) {
+  std::error_code ignored;
+  for (fs::recursive_directory_iterator at(directory, ignored), end; !ignored && at != end;
+       at.increment(ignored)) {
+    if (fs::is_directory(at->symlink_status(ignored)))
+      fs::permissions(at->path(), fs::perms::owner_all, fs::perm_options::add, ignored);
+  }
+}
+
+/// What course tracers call their picture.
+std::string name_in_scene(const JudgedScene& scene) {
+  return fs::path(scene.scene.renders.front().file).lexically_normal().string();
+}
+
+std::string target_in(const std::string& directory, const std::string& name) {
+  const std::string extension = extension_of(name);
+  return directory + "/picture" + (extension.empty() ? ".ppm" : extension);
+}
+
+}  // namespace
+
+std::string picture_of_run(const Submission& submission, const JudgedScene& scene,
+                           const JudgeOptions& options, const std::string& own_directory,
+                           JudgedPicture& result) {
+  const TemporaryDirectory work;
+  const std::string inside = std::string(sandbox_directory) + "/" + scene.name;
+  write_file(work.path() + "/" + scene.name + ".sdf", read_file(scene.path));
+  const auto command =
+      substituted(options.command,
+                  {{"scene", inside + ".sdf"}, {"image", inside + ".ppm"}, {"submission", submission.path}});
+  const SandboxRun run =
+      run_confined(command, view_for(submission, command, options, work.path()), options.limits);
+  make_removable(work.path());
+  if (ended_badly(run, result)) return {};
+  Found found = Found::nothing;
+  for (const std::string& name : {scene.name + ".ppm", name_in_scene(scene)}) {
+    const std::string target = target_in(own_directory, name);
+    found = take_file(work.path(), name, options.limits.disk_bytes, target);
+    if (found == Found::picture) return target;
+    if (found != Found::nothing) break;
+  }
+  say_why_none(found, run.exit_code, result);
+  return {};
+}
+
+std::string picture_handed_in(const Submission& submission, const JudgedScene& scene,
+                              const JudgeOptions& options, const std::string& own_directory,
+                              JudgedPicture& result) {
+  Found found = Found::nothing;
+  for (const char* extension : {".ppm", ".png", ".pfm", ".exr", ".tif", ".tiff", ".jpg", ".bmp", ".tga"}) {
+    const std::string target = target_in(own_directory, scene.name + extension);
+    found = take_file(submission.path, scene.name + extension, options.limits.disk_bytes, target);
+    if (found == Found::picture) return target;
+    if (found != Found::nothing) break;
+  }
+  say_why_none(found, 0, result);
+  if (found == Found::nothing) result.message = "no picture " + scene.name + ".ppm, .png, ... was handed in";
+  return {};
+}
+
+}  // namespace plumb::references

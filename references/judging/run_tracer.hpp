@@ -1,0 +1,21 @@
+// One run of somebody's tracer on one scene.
+#pragma once
+
+#include <string>
+
+#include "references/judging/judging.hpp"
+
+namespace plumb::references {
+
+/// Fills in what the run tells; the picture, when there is one, is then the regular file that is returned, in
+/// `own_directory`, out of the program's reach. Empty when there is none: then the verdict says why.
+std::string picture_of_run(const Submission& submission, const JudgedScene& scene,
+                           const JudgeOptions& options, const std::string& own_directory,
+                           JudgedPicture& result);
+
+/// The picture of that scene in the submission's directory, NAME and an image's extension; as above.
+std::string picture_handed_in(const Submission& submission, const JudgedScene& scene,
+                              const JudgeOptions& options, const std::string& own_directory,
+                              JudgedPicture& result);
+
+}  // namespace plumb::references

@@ -1,0 +1,168 @@
+// `plumb judge`: small tracers, right, wrong and hostile, each with its verdict, and nothing outside touched.
+#include <nlohmann/json.hpp>
+
+#include "references/judging/sandbox.hpp"
+#include "tests/support/end_to_end.hpp"
+
+namespace plumb::tests {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+class JudgeCommand : public testing::Test {
+ protected:
+  JudgeCommand() {
+    fs::create_directories(workplace_.path("scenes")), workplace_.file("scenes/s.sdf", scene());
+  }
+
+  static std::string scene() { return std::string(ball_scene); }
+  Outcome judge(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(), {"judge", "--scenes", "scenes"});
+    return run_plumb(arguments, workplace_.directory());
+  }
+  /// A submission, a program of /bin/sh or Python; $1 is the scene, $2 the image.
+  void hand_in(const std::string& name, const std::string& text) const {
+    fs::create_directories(workplace_.path("class"));
+    fs::permissions(workplace_.file("class/" + name, text), fs::perms(0755));
+  }
+  void shell(const std::string& name, const std::string& text) const { hand_in(name, "#!/bin/sh\n" + text); }
+  /// The pictures of the class by submission.
+  std::map<std::string, Json> judge_class() const {
+    const std::string build = fs::path(PLUMB_BINARY).parent_path();
+    const Outcome outcome = judge({"--renderer", "{submission} {scene} {image}", "--submissions", "class",
+                                   "--readable", build, "--timeout", "2", "--json", "-"});
+    EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+    std::map<std::string, Json> pictures;
+    const Json all = Json::parse(outcome.out, nullptr, false);
+    EXPECT_TRUE(all.is_object()) << outcome.out << outcome.err;
+    for (const Json& picture : all.value("pictures", Json::array()))
+      pictures[picture["submission"].get<std::string>()] = picture;
+    return pictures;
+  }
+
+  Workplace workplace_;
+};
+
+/// Where nothing can be confined the tests of runs say so and are skipped; those of pictures are not.
+class JudgeRuns : public JudgeCommand {
+ protected:
+  void SetUp() override {
+    try {
+      references::require_sandbox();
+    } catch (const std::runtime_error& error) {
+      GTEST_SKIP() << error.what();
+    }
+  }
+};
+
+TEST_F(JudgeRuns, NamesWhatATracerDoes) {
+  const std::string render = PLUMB_BINARY " render \"$1\" ";
+  shell("good", render + "-o \"$2\"\n");
+  shell("fault", render + "--fault ka-kd-swapped -o \"$2\"\n");
+  shell("by-the-render-line", render + "-o out.ppm\n");
+  shell("size", render + "--size 8x8 -o \"$2\"\n");
+  shell("truncated", render + "-o t.ppm; head -c 100 t.ppm > \"$2\"\n");
+  shell("nothing", "exit 0\n");
+  shell("failing", "exit 3\n");
+  shell("crash", "kill -SEGV $$\n");
+  const auto pictures = judge_class();
+  ASSERT_EQ(pictures.size(), 8U);
+  const std::map<std::string, std::string> expected{
+      {"good", "right"},      {"fault", "faults"},         {"by-the-render-line", "right"},
+      {"size", "wrong-size"}, {"truncated", "unreadable"}, {"nothing", "no-image"},
+      {"failing", "crashed"}, {"crash", "crashed"}};
+  for (const auto& [name, verdict] : expected)
+    EXPECT_EQ(pictures.at(name)["verdict"], verdict) << name << pictures.at(name);
+  EXPECT_EQ(pictures.at("fault")["faults"][0]["id"], "ka-kd-swapped");
+}
+
+TEST_F(JudgeRuns, LimitsEndWhatDoesNotEnd) {
+  shell("hang", "trap '' TERM INT HUP; while :; do sleep 1; done\n");
+  shell("image", "head -c 1000000000 /dev/zero > \"$2\"\n");
+  shell("stdout", "head -c 1000000000 /dev/zero\n");
+  shell("many-files", "i=0; while :; do i=$((i+1)); echo x > f$i; done\n");
+  shell("bomb", "i=0; while [ $i -lt 300 ]; do i=$((i+1)); sleep 20 & done; wait\n");  // bounded
+  const auto pictures = judge_class();
+  ASSERT_EQ(pictures.size(), 5U);
+  EXPECT_EQ(pictures.at("hang")["verdict"], "timed-out");
+  EXPECT_EQ(pictures.at("image")["verdict"], "too-much-output");
+  EXPECT_EQ(pictures.at("stdout")["verdict"], "too-much-output");
+  EXPECT_EQ(pictures.at("many-files")["verdict"], "too-much-output");
+  EXPECT_EQ(pictures.at("bomb")["verdict"], "too-many-processes");
+}
+
+TEST_F(JudgeRuns, TouchesAndSeesNothingOutside) {
+  workplace_.file("secret", "the secret");
+  const std::string here = workplace_.directory();
+  shell("a-neighbour", "# the neighbour's secret\n");
+  shell("reader",
+        "cat '" + here + "/secret' '" + here + "/class/a-neighbour' && echo READ; ls -A /home /root; env\n");
+  shell("writer", "for d in / /etc /root /home /usr; do touch $d/owned && echo WROTE $d; done\n");
+  shell("link", "ln -s '" + here + "/secret' \"$2\"\n");
+  shell("pipe", "mkfifo \"$2\"\n");
+  shell("network", "cat /proc/net/dev; echo x > /dev/tcp/1.1.1.1/53 && echo CONNECTED\n");
+  shell("daemon", "setsid sleep 987654 > /dev/null 2>&1 &\nexit 0\n");
+  const auto before = listing(here);
+  const auto pictures = judge_class();
+  EXPECT_EQ(listing(here), before);
+  for (const auto& [name, picture] : pictures) {
+    const std::string printed = picture.value("printed", "");
+    EXPECT_NE(picture["verdict"], "right") << name;
+    for (const char* const bad : {"READ", "secret\n", "WROTE", "CONNECTED", "eth0", "PLUMB_CACHE"})
+      EXPECT_FALSE(contains(printed, bad)) << name << ": " << printed;
+  }
+  EXPECT_TRUE(contains(pictures.at("network")["printed"], "lo:"));
+  EXPECT_TRUE(contains(pictures.at("link")["message"], "a link"));
+  EXPECT_TRUE(contains(pictures.at("pipe")["message"], "a pipe"));
+  EXPECT_TRUE(contains(run_shell("pgrep -f 'sleep 98765[4]' || echo none", here).output, "none"));
+}
+
+TEST_F(JudgeRuns, OneTracerWithoutAShell) {
+  const Outcome outcome = judge({"--renderer", "'" PLUMB_BINARY "' render {scene} -o {image}", "--report",
+                                 "report", "--csv", "c.csv", "--junit", "u.xml"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  EXPECT_TRUE(contains(read_file(workplace_.path("c.csv")), ",right,"));
+  EXPECT_TRUE(contains(read_file(workplace_.path("u.xml")), "failures=\"0\""));
+  EXPECT_TRUE(contains(read_file(workplace_.path("report/submission-1.html")), "data:image/png;base64,"));
+}
+
+TEST_F(JudgeCommand, PicturesOfAClass) {
+  for (const char* const name : {"ada", "ben", "cy"}) fs::create_directories(workplace_.path("in/") + name);
+  const auto render = [&](const std::string& to, const std::string& fault) {
+    std::vector<std::string> arguments{"render", "scenes/s.sdf", "-o", "in/" + to};
+    if (!fault.empty()) arguments.insert(arguments.end(), {"--fault", fault});
+    ASSERT_EQ(run_plumb(arguments, workplace_.directory()).exit_code, 0);
+  };
+  render("ada/s.ppm", "");
+  render("ben/s.png", "ka-kd-swapped");
+  const Outcome outcome = judge({"--images", "in", "--hint", "2", "--json", "-"});
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+  const Json pictures = Json::parse(outcome.out)["pictures"];
+  ASSERT_EQ(pictures.size(), 3U);
+  EXPECT_EQ(pictures[0]["verdict"], "right");
+  EXPECT_EQ(pictures[1]["verdict"], "faults");
+  EXPECT_TRUE(pictures[1]["faults"][0].contains("title"));
+  EXPECT_FALSE(pictures[1]["faults"][0].contains("id"));
+  EXPECT_EQ(pictures[2]["verdict"], "no-image");
+}
+
+TEST_F(JudgeCommand, WithoutBubblewrapNothingRuns) {
+  const std::string touch = "/bin/touch " + workplace_.path("ran") + " {scene}";
+  const Outcome outcome = run_plumb({"judge", "--scenes", "scenes", "--renderer", touch},
+                                    workplace_.directory(), {"PATH=" + workplace_.directory()});
+  expect_trouble(outcome, {"bwrap", "apt-get install bubblewrap"});
+  EXPECT_FALSE(fs::exists(workplace_.path("ran")));
+}
+
+TEST_F(JudgeCommand, CommandsThatCannotBeRunAreTrouble) {
+  expect_trouble(judge({}), {"--renderer", "--images"});
+  expect_trouble(judge({"--renderer", "no-such-tracer {scene}"}), {"no-such-tracer"});
+  expect_trouble(judge({"--renderer", "/bin/true"}), {"{scene}"});
+  expect_trouble(judge({"--renderer", "/bin/true {scene} {submission}"}), {"--submissions"});
+  expect_trouble(judge({"--renderer", "/bin/true 'x"}), {"quote"});
+  expect_trouble(judge({"--images", "none"}), {"none"});
+}
+
+}  // namespace
+}  // namespace plumb::tests
