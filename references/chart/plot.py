@@ -124,7 +124,7 @@ def limits_of(points):
     """The lowest and the highest error drawn to scale, and the end of the axis: above them the band, if any fail."""
     floor = floor_of(points)
     errors = [p["error"]["rms"] for p in points if not fails(p)]
-    low = floor / 2.5 if 0 in errors else floor * 4
+    low = floor / 2.5 if 0 in errors else min(errors, default=4 * floor) / 2
     high = max([e for e in errors if e > 0], default=10 * floor) * 3
     band = (high / low) ** (BAND / (1 - BAND)) if any(map(fails, points)) else 1
     return low, high, high * band
