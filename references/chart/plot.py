@@ -15,6 +15,8 @@ try:
 except ImportError as error:
     sys.exit(f"matplotlib is missing ({error}): apt-get install python3-matplotlib")
 
+from labels import FAILED, drawn, fails, label_of, least_gap, weight_of
+
 matplotlib.rcParams.update({"svg.fonttype": "none", "svg.hashsalt": "plumb", "font.size": 8.5, "axes.linewidth": 0.7,
                             "hatch.linewidth": 0.5, "font.family": "sans-serif"})
 
@@ -25,56 +27,7 @@ DOMINATED, DOMINATED_TEXT = "#C4C4C4", "#606060"
 COLUMNS = {"pixel_centres": "exactness", "pixel_areas": "sampling"}
 LABEL_STEP = 0.155  # inches
 LEFT, PANEL, GAP, RIGHT = 0.65, 2.9, 0.2, 0.25  # inches, of a column: its ticks, the panel, the leaders, what parts columns
-# An RMS error over 1 is more than black is from white: no picture. It is drawn in a band at the edge of the axis,
-# for one overflow (1e37) would leave the others a tenth of it.
-FAILED, BAND = 1.0, 0.08  # the band's part of the axis
-
-
-def least_gap(wanted, gap, low, high):
-    """The places nearest to the wanted ones (ascending) that are `gap` apart, between low and high."""
-    pools = []  # of [sum, count]: pool adjacent violators (Ayer et al. 1955)
-    for index, place in enumerate(wanted):
-        pools.append([place - index * gap, 1])
-        while len(pools) > 1 and pools[-2][0] / pools[-2][1] >= pools[-1][0] / pools[-1][1]:
-            total, count = pools.pop()
-            pools[-1][0] += total
-            pools[-1][1] += count
-    free = [total / count for total, count in pools for _ in range(count)]
-    top = max(high - (len(wanted) - 1) * gap, low)
-    return [min(max(place, low), top) + index * gap for index, place in enumerate(free)]
-
-
-def drawn(points):
-    """Of textbook tracers in one real type that make pictures of the same error, one: sets that a scene has no use for."""
-    groups = {}
-    for point in points:
-        same = json.dumps(point["error"]) + point["real"] if point["renderer"] == "textbook" else point["id"]
-        groups.setdefault(same, []).append(point)
-    for alike in groups.values():
-        lecture = next((p for p in alike if p["methods"] == "lecture"), alike[0])
-        shown = next((p for p in alike if p["pareto"]), lecture)
-        others = f" + {len(alike) - 1} alike" if len(alike) > 1 else ""
-        yield {**shown, "title": shown["title"] + others}
-
-
-def label_of(point, counts):
-    title = point["title"]
-    if counts:
-        title += f" ({point['error']['pixels_over']:,})"
-    if point["error"]["non_finite"]:
-        title += f", {point['error']['non_finite']:,} not finite"
-    elif fails(point):
-        title += f", RMS {point['error']['rms']:.0e}"
-    return title
-
-
-def fails(point):
-    rms = point["error"]["rms"]
-    return point["error"]["non_finite"] > 0 or rms is None or rms > FAILED
-
-
-def weight_of(point):
-    return "bold" if point["pareto"] else "normal"
+BAND = 0.08  # of the axis, for what fails
 
 
 def floor_of(points):
