@@ -8,6 +8,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <stdexcept>
 #include <thread>
 #include <utility>
 
@@ -81,9 +82,9 @@ class SceneMeasurer {
     const auto ways = configurations(view_.scene, tools_.povray.get());
     std::vector<Entry> entries;
     for (const Configuration& way : ways) entries.push_back(entry_of(way));
-    find_errors(entries);
-    for (int run = 0; run < options_.runs; ++run) measure_run(entries, run);
     ChartScene scene{name, {}, left_out(view_.scene, tools_.povray.get())};
+    find_errors(entries, scene.left_out);
+    for (int run = 0; run < options_.runs; ++run) measure_run(entries, run);
     for (const Entry& entry : entries) scene.points.push_back(point_of(entry));
     finish(scene.points);
     return scene;
@@ -123,15 +124,33 @@ class SceneMeasurer {
            });
   }
 
-  void find_errors(std::vector<Entry>& entries) {
+  /// Removes the ways that make no picture of this scene at all, and says why: a method that fails is no
+  /// reason to have no chart.
+  void find_errors(std::vector<Entry>& entries, std::vector<std::string>& failed) {
+    std::vector<Entry> rendered;
     std::size_t done = 0;
     for (Entry& entry : entries) {
       progress_(truths_end + (errors_end - truths_end) * static_cast<double>(done++) /
                                  static_cast<double>(entries.size()));
-      if (entry.measured.error) continue;
-      const Comparison c = compare(truth(entry.way.truth), entry.way.render(view_), tolerance);
-      entry.measured.error = {c.max_error, c.rms_error, c.pixels_over, c.non_finite};
-      store_measurement(entry.path, entry.measured);
+      if (!entry.measured.error) {
+        const Image& right = truth(entry.way.truth);
+        const auto image = picture_by(entry.way, failed);
+        if (!image) continue;
+        const Comparison c = compare(right, *image, tolerance);
+        entry.measured.error = {c.max_error, c.rms_error, c.pixels_over, c.non_finite};
+        store_measurement(entry.path, entry.measured);
+      }
+      rendered.push_back(std::move(entry));
+    }
+    entries = std::move(rendered);
+  }
+
+  std::optional<Image> picture_by(const Configuration& way, std::vector<std::string>& failed) const {
+    try {
+      return way.render(view_);
+    } catch (const std::runtime_error& error) {
+      failed.push_back(way.title + ": " + error.what());
+      return std::nullopt;
     }
   }
 

@@ -38,7 +38,13 @@ InstructionCounter::InstructionCounter() {
   wanted.exclude_hv = 1;
   wanted.inherit = 1;  // threads and children that are started from now on
   file_ = static_cast<int>(syscall(SYS_perf_event_open, &wanted, 0, -1, -1, PERF_FLAG_FD_CLOEXEC));
-  if (file_ < 0) complaint_ = std::strerror(errno);
+  if (file_ >= 0) return;
+  complaint_ = std::strerror(errno);
+  // After perf_event_open(2).
+  if (errno == ENOENT || errno == EOPNOTSUPP)
+    complaint_ = "this machine has no counter of instructions, as is usual for virtual ones";
+  else if (errno == EACCES || errno == EPERM)
+    complaint_ = "permission denied; try: sysctl kernel.perf_event_paranoid=1";
 }
 
 InstructionCounter::~InstructionCounter() {

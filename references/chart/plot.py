@@ -15,58 +15,31 @@ try:
 except ImportError as error:
     sys.exit(f"matplotlib is missing ({error}): apt-get install python3-matplotlib")
 
+from labels import FAILED, drawn, fails, label_of, least_gap, weight_of
+
+matplotlib.rcParams.update({"svg.fonttype": "none", "svg.hashsalt": "plumb", "font.size": 8.5, "axes.linewidth": 0.7,
+                            "hatch.linewidth": 0.5, "font.family": "sans-serif"})
+
 # Okabe and Ito, "Color Universal Design", 2008: told apart by the colour-blind; the marker tells the renderer, too.
 STYLES = {"engine": ("#0072B2", "o"), "textbook": ("#D55E00", "s"), "povray": ("#009E73", "^")}
 NAMES = {"engine": "engine", "textbook": "textbook tracer", "povray": "POV-Ray"}
 DOMINATED, DOMINATED_TEXT = "#C4C4C4", "#606060"
 COLUMNS = {"pixel_centres": "exactness", "pixel_areas": "sampling"}
-SCENE_WIDTH, LABEL_STEP, FONT = 10.6, 0.155, 8.5  # inches, inches, points
-
-
-def least_gap(wanted, gap, low, high):
-    """The places nearest to the wanted ones (ascending) that are `gap` apart, between low and high."""
-    pools = []  # of [sum, count]: pool adjacent violators (Ayer et al. 1955)
-    for index, place in enumerate(wanted):
-        pools.append([place - index * gap, 1])
-        while len(pools) > 1 and pools[-2][0] / pools[-2][1] >= pools[-1][0] / pools[-1][1]:
-            total, count = pools.pop()
-            pools[-1][0] += total
-            pools[-1][1] += count
-    free = [total / count for total, count in pools for _ in range(count)]
-    top = max(high - (len(wanted) - 1) * gap, low)
-    return [min(max(place, low), top) + index * gap for index, place in enumerate(free)]
-
-
-def drawn(points):
-    """Of textbook tracers in one real type that make pictures of the same error, one: sets that a scene has no use for."""
-    groups = {}
-    for point in points:
-        same = json.dumps(point["error"]) + point["real"] if point["renderer"] == "textbook" else point["id"]
-        groups.setdefault(same, []).append(point)
-    for alike in groups.values():
-        lecture = next((p for p in alike if p["methods"] == "lecture"), alike[0])
-        shown = next((p for p in alike if p["pareto"]), lecture)
-        others = f" + {len(alike) - 1} alike" if len(alike) > 1 else ""
-        yield {**shown, "title": shown["title"] + others}
-
-
-def label_of(point, counts):
-    title = point["title"]
-    if counts:
-        title += f" ({point['error']['pixels_over']:,})"
-    if point["error"]["non_finite"]:
-        title += f", {point['error']['non_finite']} not finite"
-    return title
+LABEL_STEP = 0.155  # inches
+LEFT, PANEL, GAP, RIGHT = 0.65, 2.9, 0.2, 0.25  # inches, of a column: its ticks, the panel, the leaders, what parts columns
+BAND = 0.08  # of the axis, for what fails
 
 
 def floor_of(points):
     """Where an error of 0 is drawn: a decade below the smallest other."""
-    errors = [p["error"]["rms"] for p in points if p["error"]["rms"] > 0]
+    errors = [p["error"]["rms"] for p in points if not fails(p) and p["error"]["rms"] > 0]
     return 10.0 ** (math.floor(math.log10(min(errors))) - 1) if errors else 1e-10
 
 
 def draw_front(axes, points, height):
-    front = sorted((p["ratio"]["median"], height(p)) for p in points if p["pareto"])
+    front = sorted((p["ratio"]["median"], height(p)) for p in points if p["pareto"] and not fails(p))
+    if not front:
+        return
     right = axes.get_xlim()[1]
     xs = [x for x, _ in front] + [right]
     ys = [y for _, y in front] + [front[-1][1]]
@@ -95,31 +68,69 @@ def draw_labels(axes, points, height, counts):
         color = STYLES[point["renderer"]][0] if point["pareto"] else DOMINATED_TEXT
         line = {"arrowstyle": "-", "linewidth": 0.5, "color": color if point["pareto"] else "#C8C8C8", "shrinkA": 1,
                 "shrinkB": 3, "relpos": (0, 0.5)}
-        axes.annotate(label_of(point, counts), (point["ratio"]["median"], height(point)), xytext=(1.06, place),
+        axes.annotate(label_of(point, counts), (point["ratio"]["median"], height(point)), xytext=(1 + GAP / PANEL, place),
                       textcoords="axes fraction", va="center", color=color, arrowprops=line, annotation_clip=False,
-                      fontweight="bold" if point["pareto"] else "normal", zorder=2)
+                      fontweight=weight_of(point), zorder=2)
+
+
+def limits_of(points):
+    """The lowest and the highest error drawn to scale, and the end of the axis: above them the band, if any fail."""
+    floor = floor_of(points)
+    errors = [p["error"]["rms"] for p in points if not fails(p)]
+    low = floor / 2.5 if 0 in errors else min(errors, default=4 * floor) / 2
+    high = max([e for e in errors if e > 0], default=10 * floor) * 3
+    band = (high / low) ** (BAND / (1 - BAND)) if any(map(fails, points)) else 1
+    return low, high, high * band
+
+
+def set_heights(axes, points, low, high, end):
+    floor = floor_of(points)
+    axes.set_yscale("log")
+    axes.set_ylim(low, end)
+    ticks = [10.0 ** e for e in range(math.floor(math.log10(floor)), 2) if max(1.5 * floor, low) < 10.0 ** e < high]
+    places = [(t, f"$10^{{{round(math.log10(t))}}}$") for t in ticks[:: 1 + len(ticks) // 7]]
+    if any(p["error"]["rms"] == 0 for p in points):
+        axes.axhline(floor, color="#808080", linewidth=0.8, linestyle=(0, (2, 2)), zorder=1)
+        places.insert(0, (floor, "0"))
+    if end > high:
+        axes.axhspan(high, end, facecolor="#F3F3F3", edgecolor="#D0D0D0", hatch="////", linewidth=0, zorder=0)
+        places.append((math.sqrt(high * end), "fails"))
+    axes.set_yticks([place for place, _ in places])
+    axes.set_yticklabels([name for _, name in places])
 
 
 def draw_panel(axes, points, against):
-    floor = floor_of(points)
-    height = lambda point: point["error"]["rms"] or floor
+    low, high, end = limits_of(points)
+    height = lambda point: math.sqrt(high * end) if fails(point) else point["error"]["rms"] or floor_of(points)
     axes.set_xscale("log")
-    axes.set_yscale("log")
     axes.set_xlim(0.6, 2 * max(p["ratio"]["max"] for p in points))
-    top = max(height(p) for p in points)
-    axes.set_ylim(floor / 2.5 if any(p["error"]["rms"] == 0 for p in points) else floor * 4, top * 4)
+    set_heights(axes, points, low, high, end)
     axes.grid(which="major", color="#ECECEC", linewidth=0.7, zorder=0)
     axes.spines[["top", "right"]].set_visible(False)
-    if any(p["error"]["rms"] == 0 for p in points):
-        axes.axhline(floor, color="#808080", linewidth=0.8, linestyle=(0, (2, 2)), zorder=1)
-        ticks = [t for t in axes.get_yticks() if 1.5 * floor < t < 4 * top]
-        axes.set_yticks([floor] + ticks[:: 1 + len(ticks) // 6])
-        axes.set_yticklabels(["0"] + [f"$10^{{{round(math.log10(t))}}}$" for t in axes.get_yticks()[1:]])
     axes.xaxis.set_major_formatter(lambda value, _: f"{value:g}")
     axes.minorticks_off()
     draw_front(axes, points, height)
     draw_points(axes, points, height)
     draw_labels(axes, points, height, against == "pixel_centres")
+
+
+def width_of(text, **style):
+    """In inches, of its widest line."""
+    figure = pyplot.figure(dpi=100)
+    extent = figure.text(0, 0, text, **style).get_window_extent(figure.canvas.get_renderer())
+    pyplot.close(figure)
+    return extent.width / 100
+
+
+def widths_of(chart):
+    """Of the columns, in inches: as wide as their longest labels."""
+    widths = []
+    for against, title in titles_of(chart).items():
+        points = [p for s in chart["scenes"] for p in drawn(s["points"]) if p["against"] == against]
+        texts = {(label_of(p, against == "pixel_centres"), weight_of(p)) for p in points}
+        labels = max((width_of(text, fontweight=weight) for text, weight in texts), default=0)
+        widths.append(max(LEFT + PANEL + GAP + labels, LEFT + width_of(title, fontsize=9.5)) + RIGHT)
+    return widths
 
 
 def titles_of(chart):
@@ -139,35 +150,43 @@ def height_of(scene):
     return max(1.7, count * LABEL_STEP)
 
 
-def draw_scene(figure, scene, left, bottom, height, titles):
-    """`left`, `bottom` and `height`, of the panels, in inches."""
+def short(name):
+    return name if len(name) <= 60 else "\u2026" + name[-59:]
+
+
+def draw_scene(figure, scene, left, bottom, height, widths, titles):
+    """`left`, `bottom`, `height` (of the panels) and `widths` (of the columns) in inches."""
     width, total = figure.get_size_inches()
     for column, against in enumerate(COLUMNS):
-        at = (left + 0.65 + 5.3 * column) / width
-        axes = figure.add_axes([at, bottom / total, 2.55 / width, height / total])
+        at = (left + LEFT + sum(widths[:column])) / width
         points = [p for p in drawn(scene["points"]) if p["against"] == against]
+        if not points:
+            continue
+        axes = figure.add_axes([at, bottom / total, PANEL / width, height / total])
         draw_panel(axes, points, against)
         axes.set_xlabel("processor time, times that of the fastest", labelpad=2)
+        above = {"xycoords": "axes fraction", "textcoords": "offset points", "fontsize": 9.5, "va": "bottom"}
         if titles:
-            axes.annotate(titles[against], (-0.17, 1), xytext=(0, 26), textcoords="offset points",
-                          xycoords="axes fraction", fontsize=9.5, va="bottom")
+            axes.annotate(titles[against], (-0.17, 1), xytext=(0, 26), **above)
         if column == 0:
-            axes.annotate(scene["scene"], (-0.17, 1), xytext=(0, 10), textcoords="offset points",
-                          xycoords="axes fraction", fontsize=9.5, fontweight="bold", va="bottom")
+            axes.annotate(short(scene["scene"]), (-0.17, 1), xytext=(0, 10), fontweight="bold", **above)
 
 
 def draw_legend(figure, chart):
     kinds = [k for k in STYLES if any(p["renderer"] == k for s in chart["scenes"] for p in s["points"])]
     marks = [matplotlib.lines.Line2D([], [], color=STYLES[k][0], marker=STYLES[k][1], linestyle="", label=NAMES[k])
              for k in kinds]
-    marks.append(matplotlib.lines.Line2D([], [], color="black", linewidth=1, label="Pareto front: nothing is faster and as exact"))
+    marks.append(matplotlib.lines.Line2D([], [], color="black", linewidth=1, 
+                                         label="Pareto front: nothing is faster and as exact"))
     marks.append(matplotlib.lines.Line2D([], [], color=DOMINATED, marker="o", markeredgecolor="#606060",
                                          markeredgewidth=0.7, linestyle="", label="dominated"))
     figure.legend(handles=marks, loc="upper left", ncol=len(marks), frameon=False, fontsize=9.5, columnspacing=1.6,
                   handletextpad=0.4, bbox_to_anchor=(0, 1 - 0.02 / figure.get_size_inches()[1]))
     runs = f"median and range of {chart['runs']} runs" if chart["runs"] > 1 else "one run"
-    figure.text(0.01, 0.08 / figure.get_size_inches()[1], f"plumb {chart['plumb']}, {chart['machine']}; {runs}; "
-                "one thread; POV-Ray without its start", fontsize=8, color=DOMINATED_TEXT, va="bottom")
+    notes = f"plumb {chart['plumb']}, {chart['machine']}; one thread; {runs}; POV-Ray without its start"
+    if any(fails(p) for s in chart["scenes"] for p in s["points"]):
+        notes += f"\nfails: RMS error over {FAILED:g}, or pixels that are no finite numbers"
+    figure.text(0.01, 0.08 / figure.get_size_inches()[1], notes, fontsize=8, color=DOMINATED_TEXT, va="bottom")
 
 
 def draw(chart):
@@ -175,14 +194,16 @@ def draw(chart):
     scenes = chart["scenes"]
     rows = [scenes[i:i + across] for i in range(0, len(scenes), across)]
     heights = [max(height_of(s) for s in row) for row in rows]
-    total = 0.35 + 0.35 + sum(heights) + 0.85 * len(rows) + 0.3
-    figure = pyplot.figure(figsize=(SCENE_WIDTH * across, total))
+    total = 0.35 + 0.35 + sum(heights) + 0.85 * len(rows) + 0.45
+    widths = widths_of(chart)
+    figure = pyplot.figure(figsize=(sum(widths) * across, total))
     draw_legend(figure, chart)
     top = total - 0.35 - 0.35
     for number, (row, height) in enumerate(zip(rows, heights)):
         top -= 0.4 + height
         for column, scene in enumerate(row):
-            draw_scene(figure, scene, SCENE_WIDTH * column, top, height, titles_of(chart) if number == 0 else None)
+            draw_scene(figure, scene, sum(widths) * column, top, height, widths,
+                       titles_of(chart) if number == 0 else None)
         top -= 0.45
     return figure
 
@@ -192,8 +213,6 @@ def main(arguments):
         return
     with open(arguments[0], encoding="utf-8") as file:
         chart = json.load(file)
-    matplotlib.rcParams.update({"svg.fonttype": "none", "svg.hashsalt": "plumb", "font.size": FONT,
-                                "axes.linewidth": 0.7, "font.family": "DejaVu Sans"})
     figure = draw(chart)
     for path in arguments[1:]:
         # No date: the same figures give the same bytes.

@@ -71,12 +71,15 @@ int run_chart(Options options) {
   const references::Chart chart = references::measure_chart(options.scenes, wanted);
   progress.clear();
   if (!chart.instructions.empty())
-    warn("instructions are not counted here (" + chart.instructions + "): they are null in the JSON");
+    warn("INSTRUCTIONS ARE NOT COUNTED: " + chart.instructions + "; they are null in the JSON");
   const Json json = references::to_json(chart);
   if (!files.empty()) references::plot_chart(json.dump(), files);
   if (!options.json.empty()) write_json(options.json, json);
   if (options.json == "-") return exit_agrees;
-  for (const auto& scene : chart.scenes) print_fronts(scene);
+  for (const auto& scene : chart.scenes) {
+    print_fronts(scene);
+    for (const std::string& note : scene.left_out) std::printf("  left out: %s\n", note.c_str());
+  }
   return exit_agrees;
 }
 
