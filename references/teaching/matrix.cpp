@@ -1,0 +1,83 @@
+#include "references/teaching/matrix.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cstdlib>
+#include <filesystem>
+#include <mutex>
+#include <stdexcept>
+#include <thread>
+
+#include "tracer/image/encode.hpp"
+#include "tracer/scene/reader.hpp"
+
+namespace plumb::references::teaching {
+namespace {
+
+/// because float and double may fall on either side of a level, and an encoding may add one more
+constexpr int close = 2;
+
+/// Which of the pictures of a lesson differ, all pairs.
+std::vector<bool> pairs_told_apart(const Lesson& lesson) {
+  std::vector<Handed> pictures{handed(lesson, {})};
+  for (const Fault& fault : fault_catalogue()) pictures.push_back(handed(lesson, {&fault}));
+  const std::size_t count = pictures.size();
+  std::vector<bool> apart(count * count);
+  for (std::size_t a = 0; a < count; ++a) {
+    for (std::size_t b = 0; b < a; ++b)
+      apart[a * count + b] = apart[b * count + a] = are_told_apart(pictures[a], pictures[b]);
+  }
+  return apart;
+}
+
+}  // namespace
+
+std::vector<Lesson> lessons_in(const std::string& directory) {
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(directory)) {
+    if (entry.path().extension() == ".sdf") files.push_back(entry.path());
+  }
+  if (files.empty()) throw std::runtime_error(directory + ": found no scene, expected files *.sdf in it");
+  std::sort(files.begin(), files.end());
+  std::vector<Lesson> lessons;
+  for (const auto& file : files) lessons.push_back({file.filename().string(), load_scene(file.string(), {})});
+  return lessons;
+}
+
+Handed handed(const Lesson& lesson, const std::vector<const Fault*>& faults) {
+  textbook::RenderJob job;
+  job.width = matrix_width;
+  job.height = matrix_height;
+  job.threads = 1;
+  const Camera& camera = lesson.scene.camera(lesson.scene.renders.front().camera);
+  try {
+    return encode_8_bits(render_with(lesson.scene, camera, job, faults), Encoding::course);
+  } catch (const std::runtime_error&) {
+    return {};
+  }
+}
+
+bool are_told_apart(const Handed& a, const Handed& b) {
+  return !std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                     [](int p, int q) { return std::abs(p - q) <= close; });
+}
+
+Matrix::Matrix(const std::vector<Lesson>& lessons, const std::function<void(double)>& progress)
+    : pictures_(fault_catalogue().size() + 1), apart_(lessons.size()) {
+  for (const Lesson& lesson : lessons) scenes_.push_back(lesson.name);
+  std::atomic<std::size_t> next{0};
+  std::mutex reporting;
+  std::size_t done = 0;
+  const auto work = [&] {
+    for (std::size_t i = next++; i < lessons.size(); i = next++) {
+      apart_[i] = pairs_told_apart(lessons[i]);
+      const std::lock_guard lock(reporting);
+      progress(static_cast<double>(++done) / static_cast<double>(lessons.size()));
+    }
+  };
+  std::vector<std::jthread> threads;
+  for (unsigned i = 1; i < std::thread::hardware_concurrency(); ++i) threads.emplace_back(work);
+  work();
+}
+
+}  // namespace plumb::references::teaching
