@@ -48,13 +48,19 @@ Handed handed(const Lesson& lesson, const std::vector<const Fault*>& faults) {
   textbook::RenderJob job;
   job.width = matrix_width;
   job.height = matrix_height;
-  job.threads = 1;
+  std::vector<PixelPlace> places;
+  for (int y = 0; y < job.height; ++y) {
+    for (int x = 0; x < job.width; ++x) places.push_back({x, y});
+  }
   const Camera& camera = lesson.scene.camera(lesson.scene.renders.front().camera);
+  Work work(0);  // counted, never over: each pixel has its own limit, so that endless mirrors end
+  Image image(job.width, job.height);
   try {
-    return encode_8_bits(render_with(lesson.scene, camera, job, faults), Encoding::course);
+    image.rgb = colours_with(lesson.scene, camera, job, faults, places, work);
   } catch (const std::runtime_error&) {
     return {};
   }
+  return encode_8_bits(image, Encoding::course);
 }
 
 bool are_told_apart(const Handed& a, const Handed& b) {

@@ -1,6 +1,7 @@
 // Which scene shows which fault, and which faults it tells apart, measured.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -25,7 +26,8 @@ using Handed = std::vector<std::uint8_t>;
 inline constexpr int matrix_width = 64;
 inline constexpr int matrix_height = 48;
 
-/// With these faults at once, seen by the scene's own camera.
+/// With these faults at once, seen by the scene's own camera. A pixel of more than `most_rays_of_pixel` rays
+/// is black.
 Handed handed(const Lesson& lesson, const std::vector<const Fault*>& faults);
 
 /// Whether one is seen not to be the other: a component of a pixel is more than 2 levels away.
