@@ -30,6 +30,9 @@ const std::map<std::string, std::set<std::string>>& allowed() {
       {"references/diagnosis",
        {"tracer/formulas", "tracer/scene", "tracer/image", "tracer/textbook", "references",
         "references/faults"}},
+      {"references/teaching",
+       {"tracer/formulas", "tracer/scene", "tracer/image", "references", "references/faults",
+        "references/report"}},
       {"references/stability",
        {"tracer/formulas", "tracer/scene", "tracer/image", "tracer/methods", "references",
         "references/methods", "references/report"}},
@@ -48,7 +51,7 @@ const std::map<std::string, std::set<std::string>>& allowed() {
       {"references/cli",
        {"tracer/formulas", "tracer/scene", "tracer/image", "tracer/textbook", "tracer/engine", "exporters",
         "references", "references/chart", "references/diagnosis", "references/faults", "references/metrics",
-        "references/needs", "references/report", "references/stability"}}};
+        "references/needs", "references/report", "references/stability", "references/teaching"}}};
   return table;
 }
 
