@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 
 #include "references/cli/commands.hpp"
@@ -8,6 +9,8 @@
 #include "references/cli/report.hpp"
 #include "references/faults/fault.hpp"
 #include "references/teaching/document.hpp"
+#include "references/teaching/pages.hpp"
+#include "tracer/image/files.hpp"
 #include "tracer/scene/lexer.hpp"
 
 namespace plumb::cli {
@@ -39,7 +42,16 @@ void print(const references::Fault& fault) {
 struct Options {
   std::string json;
   std::string corpus;
+  std::string report;
 };
+
+void write_pages(const std::string& directory) {
+  Progress progress("pictures of faults");
+  const std::string page = teaching::faults_page(PLUMB_SOURCE_DIRECTORY "/tests/scenes",
+                                                 [&](double fraction) { progress.show(fraction); });
+  std::filesystem::create_directories(directory);
+  write_file(directory + "/index.html", page);
+}
 
 Json list_of_faults() {
   Json all = Json::array();
@@ -78,10 +90,14 @@ int run_faults(const Options& options) {
     progress.clear();
     if (options.json != "-") std::fputs(teaching::markdown_of(matrix, set).c_str(), stdout);
     json["corpus"] = to_json(matrix, set);
-  } else if (options.json != "-") {
+  } else if (options.json != "-" && options.report.empty()) {
     for (const references::Fault& fault : references::fault_catalogue()) print(fault);
   }
   if (!options.json.empty()) write_json(options.json, json);
+  if (!options.report.empty()) {
+    write_pages(options.report);
+    if (options.json != "-") say_report(options.report);
+  }
   return exit_agrees;
 }
 
@@ -116,6 +132,9 @@ Command add_faults(CLI::App& plumb) {
   app->add_option("--json", options->json, "write the list as JSON; - is standard output")->type_name("FILE");
   app->add_option("--corpus", options->corpus,
                   "print which scenes of this directory show which fault, and the fewest that tell all apart")
+      ->type_name("DIR");
+  app->add_option("--report", options->report,
+                  "write a page with both formulas and a pair of pictures for each fault")
       ->type_name("DIR");
   app->footer(
       "Example: plumb faults --corpus tests/scenes > tests/scenes/TEACHING.md\n"
