@@ -23,8 +23,8 @@ std::vector<Lesson> lessons_in(const std::string& directory);
 /// when the scene cannot be traced with the faults.
 using Handed = std::vector<std::uint8_t>;
 
-inline constexpr int matrix_width = 48;
-inline constexpr int matrix_height = 36;
+inline constexpr int matrix_width = 64;
+inline constexpr int matrix_height = 48;
 
 /// With these faults at once, seen by the scene's own camera. A pixel of more than `most_rays_of_pixel` rays
 /// is black.
