@@ -49,14 +49,16 @@ std::string pictures_of(const Diagnosed& d) {
   std::sort(faults.begin(), faults.end());
   const Picture seen = picture_seen(d.seen);
   const Picture right = picture_with(d, {});
-  std::string html = "<div class=pictures>" + teaching::figure(seen, "the picture that was handed over") +
-                     teaching::figure(right, "right") +
-                     teaching::figure(teaching::difference_of(seen, right), "where they differ") + "</div>";
+  std::string html =
+      "<div class=pictures>" + teaching::figure(seen, "the picture that was handed over") +
+      teaching::figure(right, "right") +
+      teaching::figure(teaching::difference_of(seen, right), "where they differ, 4 times as bright") +
+      "</div>";
   if (faults.empty()) return html;
   const Picture wrong = picture_with(d, faults);
   return html + "<div class=pictures>" + teaching::figure(seen, "the picture that was handed over") +
          teaching::figure(wrong, "ours with the mistakes below") +
-         teaching::figure(teaching::difference_of(seen, wrong), "what remains") + "</div>";
+         teaching::figure(teaching::difference_of(seen, wrong), "what remains, 4 times as bright") + "</div>";
 }
 
 std::string figures_of(const references::FoundFault& found) {

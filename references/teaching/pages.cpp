@@ -52,7 +52,7 @@ std::string picture_pair(const Fault& fault, const std::string& scenes) {
   const Picture right = picture_of(render_with(scene, camera, job_of(render), {}));
   const Picture wrong = picture_of(render_with(scene, camera, job_of(render), {&fault}));
   return "<div class=pictures>" + figure(right, "right") + figure(wrong, "with this mistake") +
-         figure(difference_of(right, wrong), "where they differ") + "</div>";
+         figure(difference_of(right, wrong), "where they differ, 4 times as bright") + "</div>";
 }
 
 /// Slides in the order of the catalogue, each once.
