@@ -63,6 +63,13 @@ Handed handed(const Lesson& lesson, const std::vector<const Fault*>& faults) {
   return encode_8_bits(image, Encoding::course);
 }
 
+std::size_t difference(const Handed& a, const Handed& b) {
+  if (a.size() != b.size()) return std::max(a.size(), b.size());
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) count += std::abs(int{a[i]} - int{b[i]}) > close ? 1 : 0;
+  return count;
+}
+
 bool are_told_apart(const Handed& a, const Handed& b) {
   return !std::equal(a.begin(), a.end(), b.begin(), b.end(),
                      [](int p, int q) { return std::abs(p - q) <= close; });

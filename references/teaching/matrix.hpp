@@ -30,6 +30,8 @@ inline constexpr int matrix_height = 48;
 /// is black.
 Handed handed(const Lesson& lesson, const std::vector<const Fault*>& faults);
 
+/// How many components of pixels are more than 2 levels away; all where one is empty.
+std::size_t difference(const Handed& a, const Handed& b);
 /// Whether one is seen not to be the other: a component of a pixel is more than 2 levels away.
 bool are_told_apart(const Handed& a, const Handed& b);
 

@@ -9,8 +9,8 @@
 
 namespace plumb::references::teaching {
 
-/// The first of the lessons in which all these faults give different pictures; when there is none, the one
-/// that tells most pairs of them apart. Nothing when no lesson tells any pair apart.
+/// The lesson in which the right picture and those of the faults differ most, any two of them; nothing when
+/// every lesson leaves two of them alike.
 std::optional<std::string> scene_that_tells_apart(const std::vector<Lesson>& lessons,
                                                   const std::vector<const Fault*>& faults);
 
