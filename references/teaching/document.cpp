@@ -79,8 +79,9 @@ std::string markdown_of(const Matrix& matrix, const TeachingSet& set) {
          "the "
          "catalogue rendered in every scene at " +
          std::to_string(matrix_width) + " x " + std::to_string(matrix_height) +
-         " pixels, tone-mapped and truncated to 8 bits. Two pictures are told apart where a component of a "
-         "pixel is more than 2 levels away.\n\n## The teaching set\n\n" +
+         " pixels, tone-mapped and truncated to 8 bits. Two pictures are told apart where more than half a "
+         "percent "
+         "of the pixels have a component more than 2 levels away.\n\n## The teaching set\n\n" +
          set_text(matrix, set) +
          "\n## The matrix\n\n`#`: the fault is seen in the scene of that number; `plumb faults` explains "
          "each "

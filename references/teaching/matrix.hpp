@@ -30,9 +30,10 @@ inline constexpr int matrix_height = 48;
 /// is black.
 Handed handed(const Lesson& lesson, const std::vector<const Fault*>& faults);
 
-/// How many components of pixels are more than 2 levels away; all where one is empty.
+/// In how many pixels a component is more than 2 levels away; in all where one is empty.
 std::size_t difference(const Handed& a, const Handed& b);
-/// Whether one is seen not to be the other: a component of a pixel is more than 2 levels away.
+
+/// Whether one is seen not to be the other: they differ in more than half a percent of the pixels.
 bool are_told_apart(const Handed& a, const Handed& b);
 
 /// Picture 0 is the right one, picture i + 1 that of the catalogue's fault i.

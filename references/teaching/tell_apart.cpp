@@ -1,20 +1,32 @@
 #include "references/teaching/tell_apart.hpp"
 
 #include <algorithm>
+#include <compare>
+#include <utility>
 
 namespace plumb::references::teaching {
 namespace {
 
-/// Of the right picture and those of the faults, the two that are most alike differ in so many components.
-std::size_t least_difference(const Lesson& lesson, const std::vector<const Fault*>& faults) {
-  std::vector<Handed> pictures{handed(lesson, {})};
-  std::size_t least = pictures.front().size();
+/// Compared in this order.
+struct Merit {
+  std::size_t pairs = 0;  ///< that are told apart
+  std::size_t least = 0;  ///< pixels in which the two of them that are most alike differ
+  auto operator<=>(const Merit&) const = default;
+};
+
+Merit merit_of(const Lesson& lesson, const std::vector<const Fault*>& faults) {
+  std::vector<Handed> pictures;
+  Merit merit;
   for (const Fault* fault : faults) {
-    const Handed picture = handed(lesson, {fault});
-    for (const Handed& other : pictures) least = std::min(least, difference(picture, other));
-    pictures.push_back(picture);
+    Handed picture = handed(lesson, {fault});
+    for (const Handed& other : pictures) {
+      if (!are_told_apart(picture, other)) continue;
+      const std::size_t pixels = difference(picture, other);
+      merit.least = merit.pairs++ == 0 ? pixels : std::min(merit.least, pixels);
+    }
+    pictures.push_back(std::move(picture));
   }
-  return least;
+  return merit;
 }
 
 }  // namespace
@@ -22,11 +34,11 @@ std::size_t least_difference(const Lesson& lesson, const std::vector<const Fault
 std::optional<std::string> scene_that_tells_apart(const std::vector<Lesson>& lessons,
                                                   const std::vector<const Fault*>& faults) {
   std::optional<std::string> best;
-  std::size_t most = 0;
+  Merit most;
   for (const Lesson& lesson : lessons) {
-    const std::size_t difference = least_difference(lesson, faults);
-    if (difference <= most) continue;
-    most = difference;
+    const Merit merit = merit_of(lesson, faults);
+    if (merit <= most) continue;
+    most = merit;
     best = lesson.name;
   }
   return best;

@@ -9,8 +9,8 @@
 
 namespace plumb::references::teaching {
 
-/// The lesson in which the right picture and those of the faults differ most, any two of them; nothing when
-/// every lesson leaves two of them alike.
+/// The lesson that tells most pairs of these faults apart, of several the one in which those pictures differ
+/// most. Nothing when none tells any pair apart.
 std::optional<std::string> scene_that_tells_apart(const std::vector<Lesson>& lessons,
                                                   const std::vector<const Fault*>& faults);
 
