@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <cstdlib>
 #include <filesystem>
-#include <mutex>
 #include <stdexcept>
 #include <thread>
 
@@ -20,10 +19,41 @@ constexpr int close = 2;
 /// because a diagnosis calls a picture right that is wrong in half a percent of its pixels
 constexpr std::size_t enough = matrix_width * matrix_height / 200;
 
+bool is_close(const std::uint8_t* a, const std::uint8_t* b) {
+  return std::equal(a, a + 3, b, [](int p, int q) { return std::abs(p - q) <= close; });
+}
+
+/// Stops counting after `most`.
+std::size_t pixels_apart(const Handed& a, const Handed& b, std::size_t most) {
+  if (a.size() != b.size()) return std::max(a.size(), b.size()) / 3;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < a.size() && count <= most; i += 3) count += is_close(&a[i], &b[i]) ? 0 : 1;
+  return count;
+}
+
+/// Calls `work` with 0 to `count` - 1, from all processors.
+template <typename Work>
+void in_parallel(std::size_t count, Work work) {
+  std::atomic<std::size_t> next{0};
+  const auto take = [&] {
+    for (std::size_t i = next++; i < count; i = next++) work(i);
+  };
+  std::vector<std::jthread> threads;
+  for (unsigned i = 1; i < std::thread::hardware_concurrency(); ++i) threads.emplace_back(take);
+  take();
+}
+
+/// The right picture, then one for each fault.
+std::vector<Handed> pictures_of(const Lesson& lesson) {
+  std::vector<Handed> pictures(fault_catalogue().size() + 1);
+  in_parallel(pictures.size(), [&](std::size_t i) {
+    pictures[i] = i == 0 ? handed(lesson, {}) : handed(lesson, {&fault_catalogue()[i - 1]});
+  });
+  return pictures;
+}
+
 /// Which of the pictures of a lesson differ, all pairs.
-std::vector<bool> pairs_told_apart(const Lesson& lesson) {
-  std::vector<Handed> pictures{handed(lesson, {})};
-  for (const Fault& fault : fault_catalogue()) pictures.push_back(handed(lesson, {&fault}));
+std::vector<bool> pairs_told_apart(const std::vector<Handed>& pictures) {
   const std::size_t count = pictures.size();
   std::vector<bool> apart(count * count);
   for (std::size_t a = 0; a < count; ++a) {
@@ -67,36 +97,18 @@ Handed handed(const Lesson& lesson, const std::vector<const Fault*>& faults) {
 }
 
 std::size_t difference(const Handed& a, const Handed& b) {
-  if (a.size() != b.size()) return std::max(a.size(), b.size()) / 3;
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < a.size(); i += 3) {
-    const auto at = static_cast<std::ptrdiff_t>(i);
-    count += std::equal(a.begin() + at, a.begin() + at + 3, b.begin() + at,
-                        [](int p, int q) { return std::abs(p - q) <= close; })
-                 ? 0
-                 : 1;
-  }
-  return count;
+  return pixels_apart(a, b, std::max(a.size(), b.size()));
 }
 
-bool are_told_apart(const Handed& a, const Handed& b) { return difference(a, b) > enough; }
+bool are_told_apart(const Handed& a, const Handed& b) { return pixels_apart(a, b, enough) > enough; }
 
 Matrix::Matrix(const std::vector<Lesson>& lessons, const std::function<void(double)>& progress)
-    : pictures_(fault_catalogue().size() + 1), apart_(lessons.size()) {
-  for (const Lesson& lesson : lessons) scenes_.push_back(lesson.name);
-  std::atomic<std::size_t> next{0};
-  std::mutex reporting;
-  std::size_t done = 0;
-  const auto work = [&] {
-    for (std::size_t i = next++; i < lessons.size(); i = next++) {
-      apart_[i] = pairs_told_apart(lessons[i]);
-      const std::lock_guard lock(reporting);
-      progress(static_cast<double>(++done) / static_cast<double>(lessons.size()));
-    }
-  };
-  std::vector<std::jthread> threads;
-  for (unsigned i = 1; i < std::thread::hardware_concurrency(); ++i) threads.emplace_back(work);
-  work();
+    : pictures_(fault_catalogue().size() + 1) {
+  for (const Lesson& lesson : lessons) {
+    scenes_.push_back(lesson.name);
+    apart_.push_back(pairs_told_apart(pictures_of(lesson)));
+    progress(static_cast<double>(scenes_.size()) / static_cast<double>(lessons.size()));
+  }
 }
 
 }  // namespace plumb::references::teaching

@@ -39,7 +39,7 @@ bool are_told_apart(const Handed& a, const Handed& b);
 /// Picture 0 is the right one, picture i + 1 that of the catalogue's fault i.
 class Matrix {
  public:
-  /// Renders every fault in every lesson. `progress` is called with 0 to 1, from one thread at a time.
+  /// Renders every fault in every lesson. `progress` is called with 0 to 1.
   Matrix(const std::vector<Lesson>& lessons, const std::function<void(double)>& progress);
 
   const std::vector<std::string>& scenes() const { return scenes_; }
