@@ -94,7 +94,7 @@ std::vector<Fault> of_the_highlight() {
        },
        nullptr},
       {"specular-not-gated", 12, "Phong", "The highlight is added where the light is behind the surface.",
-       "ks (r.v)^m for every n.l", "ks (r.v)^m when n.l > 0, else 0", "24 of 42", "unlit-only-ambient.sdf",
+       "ks (r.v)^m for every n.l", "ks (r.v)^m when n.l > 0, else 0", "24 of 42", "phong-light-below.sdf",
        [](Subject& s) {
          s.formulas.light_counts = &always_counts;
          s.formulas.diffuse_factor = [](const Vec3d& n, const Vec3d& l) {
