@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "references/teaching/document.hpp"
+#include "references/teaching/tell_apart.hpp"
 #include "tests/support/run.hpp"
 #include "tracer/scene/reader.hpp"
 
@@ -61,6 +62,17 @@ TEST(Teaching, WithoutAnyOneOfTheShippedSetSomeAreNotToldApart) {
     std::erase(rest, i);
     EXPECT_GT(pairs_left(shipped_matrix(), rest).size(), left) << shipped_set()[i];
   }
+}
+
+TEST(Teaching, OnlyASceneThatTellsThemApartIsNamed) {
+  const auto lesson = [](const std::string& name) {
+    return Lesson{name, load_scene(tests::source_path("tests/scenes/" + name), {})};
+  };
+  const std::vector<const Fault*> faults{find_fault("specular-not-clamped"), find_fault("specular-absolute")};
+  const Lesson even = lesson("phong-even-exponent.sdf");
+  EXPECT_EQ(scene_that_tells_apart({even, lesson("box.sdf")}, faults), std::nullopt);
+  EXPECT_EQ(scene_that_tells_apart({even, lesson("phong-odd-exponent.sdf")}, faults),
+            "phong-odd-exponent.sdf");
 }
 
 /// The rows of the matrix in the document, by fault.
