@@ -36,12 +36,6 @@ Json to_json(const references::FoundFault& found) {
           {"pixels", found.pixels}};
 }
 
-/// Faults that give the same picture here, and a scene in which they do not.
-struct TellApart {
-  std::vector<const references::Fault*> faults;
-  std::optional<std::string> scene;  ///< none where no scene of ours tells them apart
-};
-
 std::vector<TellApart> scenes_that_tell_apart(const references::Diagnosis& diagnosis) {
   std::vector<TellApart> all;
   std::vector<references::teaching::Lesson> lessons;
@@ -162,7 +156,8 @@ int run_diagnose(const Options& options) {
   }
   if (!options.json.empty()) write_json(options.json, to_json(options, diagnosis, tell_apart));
   if (options.report.empty()) return exit_code_of(diagnosis.verdict);
-  write_diagnosis(options.report, {options.image, scene, view.camera, job, seen, diagnosis}, options.hint);
+  write_diagnosis(options.report, {options.image, scene, view.camera, job, seen, diagnosis, tell_apart},
+                  options.hint);
   if (options.json != "-") std::printf("report: %s/diagnose.html\n", options.report.c_str());
   return exit_code_of(diagnosis.verdict);
 }

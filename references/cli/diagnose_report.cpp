@@ -78,11 +78,20 @@ std::string told(const references::FoundFault& found, int hint) {
     return "<section><h3>" + html_escaped(fault.explanation) + "</h3><p>Slide &ldquo;" +
            html_escaped(fault.slide) + "&rdquo;</p>" + figures_of(found) + "</section>";
   const std::string scenes = PLUMB_SOURCE_DIRECTORY "/tests/scenes";
-  std::string html = teaching::section_of(fault, scenes) + figures_of(found);
+  std::string html = figures_of(found) + teaching::section_of(fault, scenes);
   for (const Fault* other : found.alike)
     html += "<p>It may be this instead, which gives the same picture here:</p>" +
             teaching::section_of(*other, scenes);
   return html;
+}
+
+std::string settled_by(const TellApart& group) {
+  std::string html = "<section><h3>What this picture leaves open</h3><p>To tell";
+  for (const Fault* fault : group.faults) html += " <code>" + html_escaped(fault->id) + "</code>";
+  return html + " apart, " +
+         (group.scene ? "render and diagnose <code>tests/scenes/" + html_escaped(*group.scene) + "</code>"
+                      : "none of plumb's scenes helps") +
+         ".</p></section>\n";
 }
 
 std::string verdict_of(const Diagnosed& d) {
@@ -103,6 +112,7 @@ void write_diagnosis(const std::string& directory, const Diagnosed& d, int hint)
   std::string html = verdict_of(d) + pictures_of(d);
   if (d.diagnosis.verdict == references::PictureVerdict::faults) {
     for (const references::FoundFault& found : d.diagnosis.faults) html += told(found, hint);
+    for (const TellApart& group : d.tell_apart) html += hint == 3 ? settled_by(group) : "";
   }
   std::filesystem::create_directories(directory);
   write_file(directory + "/diagnose.html", teaching::page("What is wrong with " + d.image, html));

@@ -81,6 +81,13 @@ TEST_F(TeachingCommand, ADiagnosisHasAPageThatTellsAsMuchAsTheHint) {
   EXPECT_TRUE(contains(formula, "confidence "));
 }
 
+TEST_F(TeachingCommand, ThePageNamesTheSceneThatSettlesWhatIsOpen) {
+  const std::string scene = picture("phong.sdf", "specular-absolute");
+  EXPECT_EQ(run({"diagnose", scene, "p.ppm", "--report", "d"}).exit_code, 1);
+  EXPECT_TRUE(
+      contains(text_of("d/diagnose.html"), "diagnose <code>tests/scenes/phong-odd-exponent.sdf</code>"));
+}
+
 TEST_F(TeachingCommand, ARightPictureHasAPageThatSaysSo) {
   const std::string scene = source_path("tests/scenes/lambert.sdf");
   ASSERT_EQ(run({"render", scene, "-o", "p.ppm"}).exit_code, 0);
