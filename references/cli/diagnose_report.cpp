@@ -78,7 +78,7 @@ std::string told(const references::FoundFault& found, int hint) {
     return "<section><h3>" + html_escaped(fault.explanation) + "</h3><p>Slide &ldquo;" +
            html_escaped(fault.slide) + "&rdquo;</p>" + figures_of(found) + "</section>";
   const std::string scenes = PLUMB_SOURCE_DIRECTORY "/tests/scenes";
-  std::string html = figures_of(found) + teaching::section_of(fault, scenes);
+  std::string html = teaching::section_of(fault, scenes, figures_of(found));
   for (const Fault* other : found.alike)
     html += "<p>It may be this instead, which gives the same picture here:</p>" +
             teaching::section_of(*other, scenes);

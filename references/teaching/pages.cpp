@@ -107,10 +107,10 @@ std::string page(std::string_view title, const std::string& body) {
          "</h1>\n" + body + "</html>\n";
 }
 
-std::string section_of(const Fault& fault, const std::string& scenes) {
-  return "<section id=" + std::string(fault.id) + "><h3>" + html_escaped(fault.explanation) + "</h3><dl>" +
-         definition("wrong", "found", fault.wrong, true) + definition("right", "right", fault.right, true) +
-         definition("slide", "slide", fault.slide, false) +
+std::string section_of(const Fault& fault, const std::string& scenes, const std::string& remark) {
+  return "<section id=" + std::string(fault.id) + "><h3>" + html_escaped(fault.explanation) + "</h3>" +
+         remark + "<dl>" + definition("wrong", "found", fault.wrong, true) +
+         definition("right", "right", fault.right, true) + definition("slide", "slide", fault.slide, false) +
          definition("common", "tracers that had it", fault.how_common, false) +
          definition("scene", "shown by", "tests/scenes/" + std::string(fault.shown_by), true) +
          definition("id", "id", fault.id, true) + "</dl>" + picture_pair(fault, scenes) + "</section>\n";

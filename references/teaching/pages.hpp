@@ -30,8 +30,9 @@ std::string figure(const Picture& picture, std::string_view caption);
 std::string page(std::string_view title, const std::string& body);
 
 /// <section id=FAULT>: what is wrong, both formulas, how common it is, and the fault's own scene rendered
-/// right and wrong. Throws std::runtime_error when the scene is not in the directory.
-std::string section_of(const Fault& fault, const std::string& scenes);
+/// right and wrong. `remark` is HTML that follows the sentence. Throws std::runtime_error when the scene is
+/// not in the directory.
+std::string section_of(const Fault& fault, const std::string& scenes, const std::string& remark = "");
 
 /// All faults, by slide. `progress` is called with 0 to 1.
 std::string faults_page(const std::string& scenes, const std::function<void(double)>& progress);
