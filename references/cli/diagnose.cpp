@@ -4,8 +4,10 @@
 #include <memory>
 
 #include "references/cli/commands.hpp"
+#include "references/cli/diagnose_report.hpp"
 #include "references/cli/options.hpp"
 #include "references/cli/report.hpp"
+#include "references/teaching/tell_apart.hpp"
 #include "tracer/image/io.hpp"
 #include "tracer/scene/reader.hpp"
 
@@ -18,6 +20,7 @@ struct Options {
   std::string scene;
   std::string image;
   std::string json;
+  std::string report;
   int hint = 3;
   SceneOptions common;
 };
@@ -33,7 +36,32 @@ Json to_json(const references::FoundFault& found) {
           {"pixels", found.pixels}};
 }
 
-Json to_json(const Options& options, const references::Diagnosis& diagnosis) {
+std::vector<TellApart> scenes_that_tell_apart(const references::Diagnosis& diagnosis) {
+  std::vector<TellApart> all;
+  std::vector<references::teaching::Lesson> lessons;
+  for (const references::FoundFault& found : diagnosis.faults) {
+    if (found.alike.empty()) continue;
+    if (lessons.empty()) lessons = references::teaching::lessons_in(PLUMB_SOURCE_DIRECTORY "/tests/scenes");
+    std::vector<const references::Fault*> faults{found.fault};
+    faults.insert(faults.end(), found.alike.begin(), found.alike.end());
+    all.push_back({faults, references::teaching::scene_that_tells_apart(lessons, faults)});
+  }
+  return all;
+}
+
+Json to_json(const std::vector<TellApart>& tell_apart) {
+  Json all = Json::array();
+  for (const TellApart& group : tell_apart) {
+    Json faults = Json::array();
+    for (const references::Fault* fault : group.faults) faults.push_back(fault->id);
+    all.push_back(
+        {{"faults", faults}, {"scene", group.scene ? Json("tests/scenes/" + *group.scene) : Json()}});
+  }
+  return all;
+}
+
+Json to_json(const Options& options, const references::Diagnosis& diagnosis,
+             const std::vector<TellApart>& tell_apart) {
   Json faults = Json::array();
   Json ambiguous = Json::array();
   for (const references::FoundFault& found : diagnosis.faults) {
@@ -47,6 +75,7 @@ Json to_json(const Options& options, const references::Diagnosis& diagnosis) {
           {"verdict", to_string(diagnosis.verdict)},
           {"faults", faults},
           {"ambiguous", ambiguous},
+          {"tell_apart", to_json(tell_apart)},
           {"encoding",
            {{"tone_map", diagnosis.encoding.tone_map},
             {"gamma", diagnosis.encoding.gamma()},
@@ -68,8 +97,7 @@ void print(const references::FoundFault& found, int hint) {
   std::printf("      id     %s\n      found  %s\n      right  %s\n", text_of(fault.id).c_str(),
               text_of(fault.wrong).c_str(), text_of(fault.right).c_str());
   for (const references::Fault* other : found.alike)
-    std::printf("      or     %s: it gives the same picture here; tests/scenes/%s tells them apart\n",
-                text_of(other->id).c_str(), text_of(other->shown_by).c_str());
+    std::printf("      or     %s: it gives the same picture here\n", text_of(other->id).c_str());
 }
 
 void print(const Options& options, const references::Diagnosis& d) {
@@ -96,6 +124,17 @@ void print(const Options& options, const references::Diagnosis& d) {
               share, d.rms);
 }
 
+/// Names of faults are for the third hint alone.
+void print(const std::vector<TellApart>& tell_apart, int hint) {
+  if (hint < 3) return;
+  for (const TellApart& group : tell_apart) {
+    std::printf("to tell apart");
+    for (const references::Fault* fault : group.faults) std::printf(" %s", text_of(fault->id).c_str());
+    std::printf(": %s\n", group.scene ? ("diagnose a picture of tests/scenes/" + *group.scene).c_str()
+                                      : "no scene of plumb's does it");
+  }
+}
+
 int exit_code_of(references::PictureVerdict verdict) {
   if (verdict == references::PictureVerdict::right) return exit_agrees;
   return verdict == references::PictureVerdict::faults ? exit_differs : exit_abstains;
@@ -110,8 +149,16 @@ int run_diagnose(const Options& options) {
   job.height = seen.height;
   job.options = render_options_of(options.common);
   const references::Diagnosis diagnosis = references::diagnose(scene, view.camera, job, seen);
-  if (options.json != "-") print(options, diagnosis);
-  if (!options.json.empty()) write_json(options.json, to_json(options, diagnosis));
+  const std::vector<TellApart> tell_apart = scenes_that_tell_apart(diagnosis);
+  if (options.json != "-") {
+    print(options, diagnosis);
+    print(tell_apart, options.hint);
+  }
+  if (!options.json.empty()) write_json(options.json, to_json(options, diagnosis, tell_apart));
+  if (options.report.empty()) return exit_code_of(diagnosis.verdict);
+  write_diagnosis(options.report, {options.image, scene, view.camera, job, seen, diagnosis, tell_apart},
+                  options.hint);
+  if (options.json != "-") std::printf("report: %s/diagnose.html\n", options.report.c_str());
   return exit_code_of(diagnosis.verdict);
 }
 
@@ -130,6 +177,9 @@ Command add_diagnose(CLI::App& plumb) {
       ->capture_default_str();
   app->add_option("--json", options->json, "write the result as JSON; - is standard output")
       ->type_name("FILE");
+  app->add_option("--report", options->report,
+                  "write a page with the pictures and each mistake to DIR/diagnose.html")
+      ->type_name("DIR");
   add_scene_options(*app, options->common, false);
   app->footer(
       "Example: plumb diagnose tests/scenes/phong.sdf phong.ppm\n"

@@ -1,15 +1,22 @@
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 
 #include "references/cli/commands.hpp"
 #include "references/cli/options.hpp"
+#include "references/cli/progress.hpp"
 #include "references/cli/report.hpp"
 #include "references/faults/fault.hpp"
+#include "references/teaching/document.hpp"
+#include "references/teaching/pages.hpp"
+#include "tracer/image/files.hpp"
 #include "tracer/scene/lexer.hpp"
 
 namespace plumb::cli {
 namespace {
+
+namespace teaching = references::teaching;
 
 Json to_json(const references::Fault& fault) {
   return {{"id", fault.id},
@@ -32,13 +39,65 @@ void print(const references::Fault& fault) {
               fault.right.data());
 }
 
-int run_faults(const std::string& json) {
+struct Options {
+  std::string json;
+  std::string corpus;
+  std::string report;
+};
+
+void write_pages(const std::string& directory) {
+  Progress progress("pictures of faults");
+  const std::string page = teaching::faults_page(PLUMB_SOURCE_DIRECTORY "/tests/scenes",
+                                                 [&](double fraction) { progress.show(fraction); });
+  std::filesystem::create_directories(directory);
+  write_file(directory + "/index.html", page);
+}
+
+Json list_of_faults() {
   Json all = Json::array();
-  for (const references::Fault& fault : references::fault_catalogue()) {
-    if (json != "-") print(fault);
-    all.push_back(to_json(fault));
+  for (const references::Fault& fault : references::fault_catalogue()) all.push_back(to_json(fault));
+  return {{"tool", "plumb"}, {"version", PLUMB_VERSION}, {"faults", all}};
+}
+
+Json to_json(const teaching::Matrix& matrix, const teaching::TeachingSet& set) {
+  Json scenes = Json::array();
+  for (const std::size_t scene : set.scenes) scenes.push_back(matrix.scenes()[scene]);
+  Json left = Json::array();
+  for (const teaching::Pair& pair : set.left)
+    left.push_back({teaching::picture_name(pair.a), teaching::picture_name(pair.b)});
+  Json seen = Json::object();
+  for (std::size_t fault = 0; fault < references::fault_catalogue().size(); ++fault) {
+    Json in = Json::array();
+    for (std::size_t i = 0; i < matrix.scenes().size(); ++i) {
+      if (matrix.shows(i, fault)) in.push_back(matrix.scenes()[i]);
+    }
+    seen[std::string(references::fault_catalogue()[fault].id)] = in;
   }
-  if (!json.empty()) write_json(json, {{"tool", "plumb"}, {"version", PLUMB_VERSION}, {"faults", all}});
+  return {{"scenes", matrix.scenes()},
+          {"teaching_set", scenes},
+          {"is_proven", set.is_proven},
+          {"not_told_apart", left},
+          {"seen_in", seen}};
+}
+
+int run_faults(const Options& options) {
+  Json json = list_of_faults();
+  if (!options.corpus.empty()) {
+    Progress progress("faults in scenes");
+    const teaching::Matrix matrix(teaching::lessons_in(options.corpus),
+                                  [&](double fraction) { progress.show(fraction); });
+    const teaching::TeachingSet set = teaching::teaching_set(matrix);
+    progress.clear();
+    if (options.json != "-") std::fputs(teaching::markdown_of(matrix, set).c_str(), stdout);
+    json["corpus"] = to_json(matrix, set);
+  } else if (options.json != "-" && options.report.empty()) {
+    for (const references::Fault& fault : references::fault_catalogue()) print(fault);
+  }
+  if (!options.json.empty()) write_json(options.json, json);
+  if (!options.report.empty()) {
+    write_pages(options.report);
+    if (options.json != "-") say_report(options.report);
+  }
   return exit_agrees;
 }
 
@@ -69,13 +128,19 @@ std::vector<const references::Fault*> faults_named(const std::string& ids) {
 Command add_faults(CLI::App& plumb) {
   CLI::App* app = plumb.add_subcommand(
       "faults", "List the mistakes that real ray tracers contain, each with the formula that it gets wrong.");
-  auto json = std::make_shared<std::string>();
-  app->add_option("--json", *json, "write the list as JSON; - is standard output")->type_name("FILE");
+  auto options = std::make_shared<Options>();
+  app->add_option("--json", options->json, "write the list as JSON; - is standard output")->type_name("FILE");
+  app->add_option("--corpus", options->corpus,
+                  "print which scenes of this directory show which fault, and the fewest that tell all apart")
+      ->type_name("DIR");
+  app->add_option("--report", options->report,
+                  "write a page with both formulas and a pair of pictures for each fault")
+      ->type_name("DIR");
   app->footer(
-      "Example: plumb faults --json faults.json\nThe number is that of the catalogue's entry; then the "
-      "slide, and "
-      "how many of the tracers whose source was read have it.\nExit code: 0.");
-  return {app, [json] { return run_faults(*json); }};
+      "Example: plumb faults --corpus tests/scenes > tests/scenes/TEACHING.md\n"
+      "The number is that of the catalogue's entry; then the slide, and how many of the tracers whose source "
+      "was read have it.\nExit codes: 0 done, 2 trouble.");
+  return {app, [options] { return run_faults(*options); }};
 }
 
 }  // namespace plumb::cli

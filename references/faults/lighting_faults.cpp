@@ -78,7 +78,7 @@ std::vector<Fault> of_lambert() {
 std::vector<Fault> of_the_highlight() {
   return {
       {"specular-not-clamped", 11, "Phong", "A negative r.v is raised to the power m as it is.", "(r.v)^m",
-       "(r.v)^m when r.v > 0, else 0", "10 of 42", "phong-even-exponent.sdf",
+       "(r.v)^m when r.v > 0, else 0", "10 of 42", "phong-odd-exponent.sdf",
        [](Subject& s) {
          s.formulas.specular_factor = [](const Vec3d& r, const Vec3d& v, double m) {
            return std::pow(glm::dot(r, v), m);
@@ -94,7 +94,7 @@ std::vector<Fault> of_the_highlight() {
        },
        nullptr},
       {"specular-not-gated", 12, "Phong", "The highlight is added where the light is behind the surface.",
-       "ks (r.v)^m for every n.l", "ks (r.v)^m when n.l > 0, else 0", "24 of 42", "unlit-only-ambient.sdf",
+       "ks (r.v)^m for every n.l", "ks (r.v)^m when n.l > 0, else 0", "24 of 42", "phong-light-below.sdf",
        [](Subject& s) {
          s.formulas.light_counts = &always_counts;
          s.formulas.diffuse_factor = [](const Vec3d& n, const Vec3d& l) {

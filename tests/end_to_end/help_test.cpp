@@ -30,7 +30,7 @@ const std::vector<CommandHelp>& all_commands() {
         "--glass-shadow", "--dialect"}},
       {"diagnose",
        {"s.sdf", "a.pfm"},
-       {"--hint", "--json", "--camera", "--depth", "--glass-shadow", "--dialect"}},
+       {"--hint", "--json", "--report", "--camera", "--depth", "--glass-shadow", "--dialect"}},
       {"compare", {"a.pfm", "b.pfm"}, {"--tolerance", "--json"}},
       {"judge",
        {"--images", "d"},

@@ -33,6 +33,9 @@ const std::map<std::string, std::set<std::string>>& allowed() {
       {"references/judging",
        {"tracer/scene", "tracer/image", "tracer/textbook", "references", "references/diagnosis",
         "references/faults", "references/report"}},
+      {"references/teaching",
+       {"tracer/formulas", "tracer/scene", "tracer/image", "references", "references/faults",
+        "references/report"}},
       {"references/stability",
        {"tracer/formulas", "tracer/scene", "tracer/image", "tracer/methods", "references",
         "references/methods", "references/report"}},
@@ -52,6 +55,7 @@ const std::map<std::string, std::set<std::string>>& allowed() {
        {"tracer/formulas", "tracer/scene", "tracer/image", "tracer/textbook", "tracer/engine", "exporters",
         "references", "references/chart", "references/diagnosis", "references/faults", "references/metrics",
         "references/judging", "references/needs", "references/report", "references/stability"}}};
+        "references/needs", "references/report", "references/stability", "references/teaching"}}};
   return table;
 }
 

@@ -1,0 +1,121 @@
+#include "references/cli/diagnose_report.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+
+#include "references/report/escape.hpp"
+#include "references/teaching/pages.hpp"
+#include "tracer/image/files.hpp"
+
+namespace plumb::cli {
+namespace {
+
+namespace teaching = references::teaching;
+using references::Fault;
+using references::html_escaped;
+using teaching::Picture;
+
+unsigned char byte_of(float level) {
+  return std::isnan(level) ? 0 : static_cast<unsigned char>(std::clamp(level, 0.0F, 255.0F));
+}
+
+Picture picture_seen(const ImageFile& seen) {
+  Picture picture{seen.width, seen.height, {}};
+  const auto channels = static_cast<std::size_t>(seen.channels);
+  const std::size_t pixels = seen.values.size() / channels;
+  for (std::size_t i = 0; i < pixels; ++i) {
+    for (std::size_t c = 0; c < 3; ++c)
+      picture.levels.push_back(byte_of(255 * seen.values[channels * i + (channels < 3 ? 0 : c)] + 0.5F));
+  }
+  return picture;
+}
+
+/// As the tracer would have written it.
+Picture picture_with(const Diagnosed& d, const std::vector<const Fault*>& faults) {
+  const Image image = references::render_with(d.scene, d.camera, d.job, faults);
+  Picture picture{image.width, image.height, {}};
+  for (std::size_t i = 0; i < image.rgb.size(); ++i) {
+    const std::size_t from = d.diagnosis.encoding.is_bgr ? i - i % 3 + (2 - i % 3) : i;
+    picture.levels.push_back(byte_of(d.diagnosis.encoding.level(image.rgb[from])));
+  }
+  return picture;
+}
+
+std::string pictures_of(const Diagnosed& d) {
+  std::vector<const Fault*> faults;
+  for (const references::FoundFault& found : d.diagnosis.faults) faults.push_back(found.fault);
+  std::sort(faults.begin(), faults.end());
+  const Picture seen = picture_seen(d.seen);
+  const Picture right = picture_with(d, {});
+  std::string html =
+      "<div class=pictures>" + teaching::figure(seen, "the picture that was handed over") +
+      teaching::figure(right, "right") +
+      teaching::figure(teaching::difference_of(seen, right), "where they differ, 4 times as bright") +
+      "</div>";
+  if (faults.empty()) return html;
+  const Picture wrong = picture_with(d, faults);
+  return html + "<div class=pictures>" + teaching::figure(seen, "the picture that was handed over") +
+         teaching::figure(wrong, "ours with the mistakes below") +
+         teaching::figure(teaching::difference_of(seen, wrong), "what remains, 4 times as bright") + "</div>";
+}
+
+std::string figures_of(const references::FoundFault& found) {
+  char text[96];
+  std::snprintf(text, sizeof text, "confidence %.2f, %zu pixels are right with it and not without",
+                found.confidence, found.pixels);
+  return "<p class=muted>" + std::string(text) + "</p>";
+}
+
+/// `hint` as on the terminal: 1 the slide, 2 the mistake, 3 formulas and pictures.
+std::string told(const references::FoundFault& found, int hint) {
+  const Fault& fault = *found.fault;
+  if (hint == 1)
+    return "<section><h3>Look at the slide &ldquo;" + html_escaped(fault.slide) + "&rdquo;</h3>" +
+           figures_of(found) + "</section>";
+  if (hint == 2)
+    return "<section><h3>" + html_escaped(fault.explanation) + "</h3><p>Slide &ldquo;" +
+           html_escaped(fault.slide) + "&rdquo;</p>" + figures_of(found) + "</section>";
+  const std::string scenes = PLUMB_SOURCE_DIRECTORY "/tests/scenes";
+  std::string html = teaching::section_of(fault, scenes, figures_of(found));
+  for (const Fault* other : found.alike)
+    html += "<p>It may be this instead, which gives the same picture here:</p>" +
+            teaching::section_of(*other, scenes);
+  return html;
+}
+
+std::string settled_by(const TellApart& group) {
+  std::string html = "<section><h3>What this picture leaves open</h3><p>To tell";
+  for (const Fault* fault : group.faults) html += " <code>" + html_escaped(fault->id) + "</code>";
+  return html + " apart, " +
+         (group.scene ? "render and diagnose <code>tests/scenes/" + html_escaped(*group.scene) + "</code>"
+                      : "none of plumb's scenes helps") +
+         ".</p></section>\n";
+}
+
+std::string verdict_of(const Diagnosed& d) {
+  using references::PictureVerdict;
+  const std::string encoding = "<p class=muted>" + html_escaped(d.diagnosis.encoding.in_words()) + "</p>";
+  if (d.diagnosis.verdict == PictureVerdict::right) return "<p>The picture is right.</p>" + encoding;
+  if (d.diagnosis.verdict == PictureVerdict::unexplained)
+    return "<p>No set of known mistakes explains it. Is it a picture of this scene?</p>" + encoding;
+  const std::size_t count = d.diagnosis.faults.size();
+  return "<p>" + std::to_string(count) + (count == 1 ? " mistake explains" : " mistakes explain") + " it; " +
+         std::to_string(d.diagnosis.pixels_over) + " of " + std::to_string(d.diagnosis.pixels) +
+         " pixels remain more than 2 levels away.</p>" + encoding;
+}
+
+}  // namespace
+
+void write_diagnosis(const std::string& directory, const Diagnosed& d, int hint) {
+  std::string html = verdict_of(d) + pictures_of(d);
+  if (d.diagnosis.verdict == references::PictureVerdict::faults) {
+    for (const references::FoundFault& found : d.diagnosis.faults) html += told(found, hint);
+    for (const TellApart& group : d.tell_apart) html += hint == 3 ? settled_by(group) : "";
+  }
+  std::filesystem::create_directories(directory);
+  write_file(directory + "/diagnose.html", teaching::page("What is wrong with " + d.image, html));
+}
+
+}  // namespace plumb::cli

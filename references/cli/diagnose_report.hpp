@@ -1,0 +1,33 @@
+// The page that a diagnosis writes.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "references/diagnosis/diagnosis.hpp"
+
+namespace plumb::cli {
+
+/// Faults that give the same picture here, and the scene of ours that tells most of them apart.
+struct TellApart {
+  std::vector<const references::Fault*> faults;
+  std::optional<std::string> scene;  ///< none where none tells any of them apart
+};
+
+/// What was diagnosed; all must outlive it.
+struct Diagnosed {
+  const std::string& image;  ///< name of the file
+  const Scene& scene;
+  const Camera& camera;
+  const textbook::RenderJob& job;  ///< of the size of the picture
+  const ImageFile& seen;
+  const references::Diagnosis& diagnosis;
+  const std::vector<TellApart>& tell_apart;
+};
+
+/// DIR/diagnose.html: their picture, ours, with the faults, and what remains; each fault as `hint` tells it.
+/// Throws std::runtime_error when it cannot be written.
+void write_diagnosis(const std::string& directory, const Diagnosed& diagnosed, int hint);
+
+}  // namespace plumb::cli

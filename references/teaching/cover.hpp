@@ -1,0 +1,42 @@
+// The smallest set that hits others: the fewest scenes that tell all faults apart.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "references/teaching/matrix.hpp"
+
+namespace plumb::references::teaching {
+
+/// Indices, ascending.
+using Indices = std::vector<std::size_t>;
+
+/// A smallest set that has at least one index of each of the wishes, none of which is empty. Proven by
+/// exhaustion: branch and bound, the bound being wishes that share no index. Empty after `most_nodes`.
+std::optional<Indices> smallest_hitting_set(const std::vector<Indices>& wishes, std::size_t most_nodes);
+
+/// One that is found quickly: each index hits most of those that are left.
+Indices greedy_hitting_set(std::vector<Indices> wishes);
+
+/// For each pair of pictures that some scene tells apart, the scenes that do.
+std::vector<Indices> wishes_of(const Matrix& matrix);
+
+/// Pictures, a < b as in Matrix.
+struct Pair {
+  std::size_t a;
+  std::size_t b;
+};
+
+/// The pairs that none of the scenes tells apart.
+std::vector<Pair> pairs_left(const Matrix& matrix, const Indices& scenes);
+
+struct TeachingSet {
+  Indices scenes;
+  bool is_proven;          ///< that no smaller one exists
+  std::vector<Pair> left;  ///< that no scene at all tells apart
+};
+
+TeachingSet teaching_set(const Matrix& matrix);
+
+}  // namespace plumb::references::teaching

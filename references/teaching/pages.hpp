@@ -1,0 +1,40 @@
+// Pages for students: each fault with its formula and a pair of pictures.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "references/faults/fault.hpp"
+
+namespace plumb::references::teaching {
+
+/// 8-bit r g b, interleaved, row 0 on top.
+struct Picture {
+  int width;
+  int height;
+  std::vector<unsigned char> levels;
+};
+
+/// Tone-mapped and truncated, as the course hands pictures over.
+Picture picture_of(const Image& image);
+
+/// Where two pictures of one size differ: black where they agree, white from 64 levels on.
+Picture difference_of(const Picture& a, const Picture& b);
+
+/// <figure> with the picture inside it, as a data URI.
+std::string figure(const Picture& picture, std::string_view caption);
+
+/// A whole page that needs no other file; `body` is HTML.
+std::string page(std::string_view title, const std::string& body);
+
+/// <section id=FAULT>: what is wrong, both formulas, how common it is, and the fault's own scene rendered
+/// right and wrong. `remark` is HTML that follows the sentence. Throws std::runtime_error when the scene is
+/// not in the directory.
+std::string section_of(const Fault& fault, const std::string& scenes, const std::string& remark = "");
+
+/// All faults, by slide. `progress` is called with 0 to 1.
+std::string faults_page(const std::string& scenes, const std::function<void(double)>& progress);
+
+}  // namespace plumb::references::teaching

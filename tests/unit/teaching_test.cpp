@@ -1,0 +1,156 @@
+// The teaching set tells all faults apart, no smaller one does, and the matrix in the documents is the
+// measured one.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <map>
+#include <random>
+#include <set>
+#include <sstream>
+
+#include "references/teaching/document.hpp"
+#include "references/teaching/tell_apart.hpp"
+#include "tests/support/run.hpp"
+#include "tracer/scene/reader.hpp"
+
+namespace plumb::references::teaching {
+namespace {
+
+std::string shipped_text() { return read_file(tests::source_path("tests/scenes/TEACHING.md")); }
+
+std::vector<std::string> shipped_set() {
+  std::vector<std::string> names;
+  std::istringstream lines(shipped_text());
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("- `")) names.push_back(line.substr(3, line.size() - 4));
+  }
+  return names;
+}
+
+/// Of the shipped set alone.
+const Matrix& shipped_matrix() {
+  static const Matrix matrix = [] {
+    std::vector<Lesson> lessons;
+    for (const std::string& name : shipped_set())
+      lessons.push_back({name, load_scene(tests::source_path("tests/scenes/" + name), {})});
+    return Matrix(lessons, [](double) {});
+  }();
+  return matrix;
+}
+
+Indices first(std::size_t count) {
+  Indices all;
+  for (std::size_t i = 0; i < count; ++i) all.push_back(i);
+  return all;
+}
+
+TEST(Teaching, TheShippedSetTellsAllApartButForThePairsThatItNames) {
+  ASSERT_FALSE(shipped_set().empty());
+  const std::string text = shipped_text();
+  for (const Pair& pair : pairs_left(shipped_matrix(), first(shipped_set().size()))) {
+    const std::string line = "- " + picture_name(pair.a) + " and " + picture_name(pair.b) + "\n";
+    EXPECT_NE(text.find(line), std::string::npos) << line;
+  }
+}
+
+TEST(Teaching, WithoutAnyOneOfTheShippedSetSomeAreNotToldApart) {
+  const std::size_t count = shipped_set().size();
+  const std::size_t left = pairs_left(shipped_matrix(), first(count)).size();
+  for (std::size_t i = 0; i < count; ++i) {
+    Indices rest = first(count);
+    std::erase(rest, i);
+    EXPECT_GT(pairs_left(shipped_matrix(), rest).size(), left) << shipped_set()[i];
+  }
+}
+
+TEST(Teaching, OnlyASceneThatTellsThemApartIsNamed) {
+  const auto lesson = [](const std::string& name) {
+    return Lesson{name, load_scene(tests::source_path("tests/scenes/" + name), {})};
+  };
+  const std::vector<const Fault*> faults{find_fault("specular-not-clamped"), find_fault("specular-absolute")};
+  const Lesson even = lesson("phong-even-exponent.sdf");
+  EXPECT_EQ(scene_that_tells_apart({even, lesson("box.sdf")}, faults), std::nullopt);
+  EXPECT_EQ(scene_that_tells_apart({even, lesson("phong-odd-exponent.sdf")}, faults),
+            "phong-odd-exponent.sdf");
+}
+
+/// The rows of the matrix in the document, by fault.
+std::map<std::string, std::string> shipped_rows() {
+  const std::string text = shipped_text();
+  const std::size_t begin = text.find("```\n") + 4;
+  std::istringstream lines(text.substr(begin, text.find("```", begin) - begin));
+  std::map<std::string, std::string> rows;
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t end = line.find(' ');
+    std::string cells = line.substr(end);
+    std::erase(cells, ' ');
+    if (end != 0) rows[line.substr(0, end)] = cells;
+  }
+  return rows;
+}
+
+TEST(Teaching, TheDocumentHasTheMeasuredMatrix) {
+  const auto rows = shipped_rows();
+  const std::vector<Lesson> lessons = lessons_in(tests::source_path("tests/scenes"));
+  ASSERT_EQ(rows.size(), fault_catalogue().size()) << "build/plumb faults --corpus tests/scenes > "
+                                                      "tests/scenes/TEACHING.md";
+  for (std::size_t i = 0; i < shipped_set().size(); ++i) {
+    const auto column = std::find_if(lessons.begin(), lessons.end(),
+                                     [&](const Lesson& lesson) { return lesson.name == shipped_set()[i]; });
+    ASSERT_NE(column, lessons.end());
+    for (std::size_t fault = 0; fault < fault_catalogue().size(); ++fault) {
+      const std::string id(fault_catalogue()[fault].id);
+      ASSERT_EQ(rows.at(id).size(), lessons.size());
+      EXPECT_EQ(rows.at(id)[static_cast<std::size_t>(column - lessons.begin())] == '#',
+                shipped_matrix().shows(i, fault))
+          << id << " in " << column->name;
+    }
+  }
+}
+
+/// All scenes: 12 s of CPU, so only when it is asked for.
+TEST(Teaching, TheDocumentIsWhatTheCommandPrints) {
+  if (std::getenv("PLUMB_WHOLE_MATRIX") == nullptr) return;
+  const Matrix matrix(lessons_in(tests::source_path("tests/scenes")), [](double) {});
+  EXPECT_EQ(shipped_text(), markdown_of(matrix, teaching_set(matrix)));
+}
+
+bool hits_all(const std::vector<Indices>& wishes, unsigned chosen) {
+  return std::all_of(wishes.begin(), wishes.end(), [&](const Indices& wish) {
+    return std::any_of(wish.begin(), wish.end(), [&](std::size_t i) { return (chosen >> i & 1U) != 0; });
+  });
+}
+
+TEST(SmallestHittingSet, IsAsSmallAsTheBestOfAllSets) {
+  constexpr unsigned indices = 10;
+  std::mt19937 random(5);
+  int smaller_than_greedy = 0;
+  for (int trial = 0; trial < 200; ++trial) {
+    std::vector<Indices> wishes;
+    for (unsigned i = 0; i < 5 + random() % 20; ++i) {
+      std::set<std::size_t> wish;
+      for (unsigned k = 0; k < 2 + random() % 3; ++k) wish.insert(random() % indices);
+      wishes.emplace_back(wish.begin(), wish.end());
+    }
+    const auto found = smallest_hitting_set(wishes, 1'000'000);
+    ASSERT_TRUE(found);
+    unsigned chosen = 0;
+    for (const std::size_t i : *found) chosen |= 1U << i;
+    EXPECT_TRUE(hits_all(wishes, chosen));
+    int best = indices;
+    for (unsigned set = 0; set < 1U << indices; ++set) {
+      if (hits_all(wishes, set)) best = std::min(best, __builtin_popcount(set));
+    }
+    EXPECT_EQ(static_cast<int>(found->size()), best);
+    smaller_than_greedy += found->size() < greedy_hitting_set(wishes).size() ? 1 : 0;
+  }
+  EXPECT_GT(smaller_than_greedy, 0) << "the greedy set is always the best here: nothing is tested";
+}
+
+TEST(SmallestHittingSet, SaysWhenItIsNotProven) {
+  EXPECT_FALSE(smallest_hitting_set({{0, 1}, {1, 2}, {0, 2}}, 1));
+}
+
+}  // namespace
+}  // namespace plumb::references::teaching
