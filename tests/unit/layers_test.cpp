@@ -54,8 +54,8 @@ const std::map<std::string, std::set<std::string>>& allowed() {
       {"references/cli",
        {"tracer/formulas", "tracer/scene", "tracer/image", "tracer/textbook", "tracer/engine", "exporters",
         "references", "references/chart", "references/diagnosis", "references/faults", "references/metrics",
-        "references/judging", "references/needs", "references/report", "references/stability"}}};
-        "references/needs", "references/report", "references/stability", "references/teaching"}}};
+        "references/judging", "references/needs", "references/report", "references/stability",
+        "references/teaching"}}};
   return table;
 }
 
