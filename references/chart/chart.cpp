@@ -207,8 +207,10 @@ class SceneMeasurer {
 
   /// Ratios to the yardstick become ratios to the fastest, and the fronts are found.
   static void finish(std::vector<ChartPoint>& points) {
-    double fastest = points.front().ratio.median;
-    for (const ChartPoint& point : points) fastest = std::min(fastest, point.ratio.median);
+    double fastest = std::numeric_limits<double>::infinity();
+    for (const ChartPoint& point : points)
+      if (makes_a_picture(point)) fastest = std::min(fastest, point.ratio.median);
+    if (!std::isfinite(fastest)) fastest = points.front().ratio.median;
     for (ChartPoint& point : points) {
       Spread& ratio = point.ratio;
       ratio = {ratio.median / fastest, ratio.min / fastest, ratio.max / fastest};
@@ -216,14 +218,17 @@ class SceneMeasurer {
     for (const Truth truth : {Truth::pixel_centres, Truth::pixel_areas}) mark_front(points, truth);
   }
 
+  /// Because what fails has no error to set against its cost, whatever its speed.
+  static bool makes_a_picture(const ChartPoint& point) {
+    return point.error.non_finite == 0 && point.error.rms <= 1;
+  }
+
   static void mark_front(std::vector<ChartPoint>& points, Truth truth) {
     std::vector<CostAndError> figures;
     std::vector<ChartPoint*> marked;
     for (ChartPoint& point : points) {
-      if (point.way.truth != truth) continue;
-      const double error =
-          point.error.non_finite > 0 ? std::numeric_limits<double>::quiet_NaN() : point.error.rms;
-      figures.push_back({point.ratio.median, error});
+      if (point.way.truth != truth || !makes_a_picture(point)) continue;
+      figures.push_back({point.ratio.median, point.error.rms});
       marked.push_back(&point);
     }
     const std::vector<bool> front = pareto_front(figures);

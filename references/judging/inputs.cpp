@@ -19,12 +19,6 @@ std::vector<fs::path> entries_of(const std::string& directory) {
   return all;
 }
 
-/// The set that is meant for teaching where there is one, else all small scenes of the repository.
-std::string own_scenes() {
-  const std::string all = PLUMB_SOURCE_DIRECTORY "/tests/scenes";
-  return fs::is_directory(all + "/teaching") ? all + "/teaching" : all;
-}
-
 /// A link that is handed in is not followed: it may lead to what is not the submission's.
 Submission submission_at(const fs::path& path) {
   return {path.filename().string(), (fs::canonical(path.parent_path()) / path.filename()).string()};
@@ -33,7 +27,7 @@ Submission submission_at(const fs::path& path) {
 }  // namespace
 
 std::vector<JudgedScene> scenes_to_judge(const std::string& directory, const Dialect& dialect) {
-  const std::string place = directory.empty() ? own_scenes() : directory;
+  const std::string place = directory.empty() ? PLUMB_SOURCE_DIRECTORY "/tests/scenes" : directory;
   std::vector<JudgedScene> scenes;
   for (const fs::path& path : entries_of(place)) {
     if (path.extension() != ".sdf") continue;

@@ -31,7 +31,7 @@ class JudgeCommand : public testing::Test {
   std::map<std::string, Json> judge_class() const {
     const std::string build = fs::path(PLUMB_BINARY).parent_path();
     const Outcome outcome = judge({"--renderer", "{submission} {scene} {image}", "--submissions", "class",
-                                   "--readable", build, "--timeout", "2", "--json", "-"});
+                                   "--readable", build, "--timeout", "6", "--json", "-"});
     EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
     std::map<std::string, Json> pictures;
     const Json all = Json::parse(outcome.out, nullptr, false);
