@@ -29,9 +29,11 @@ class Polynomial {
   /// Where it is least: between the roots.
   Exact middle() const { return -h_ / a_; }
 
-  /// How far Quad's root may be off. The discriminant has 12 roundings of 2^-113 of its terms: two in each of
-  /// the three dot products (their products of doubles are exact) and h twice, r^2, a c, h h and their sums;
-  /// t follows it by 1 / (2 a root). What t has of its own, h, root, sum and quotient, is below 4 more. A
+  /// How far Quad's root may be off. The discriminant is a (r^2 - e^2); products of two doubles are exact,
+  /// and what rounds h / a moves the foot along the ray, across which e stands, so it counts squared. In
+  /// units of 2^-113 of the terms are left, at most: 4 of e^2 for the products with d and the differences, 3
+  /// for the sum of its squares, 1 for r^2 - e^2, 2 for a, 1 for the product, together 11 of the 12. t
+  /// follows it by 1 / (2 a root). What t has of its own, h, root, sum and quotient, is below 4 more. A
   /// double root of 0 discriminant, met exactly, has these alone.
   Exact rounding_of_root() const {
     const auto root = std::sqrt(static_cast<double>(discriminant()));
