@@ -109,13 +109,6 @@ TEST(Teaching, TheDocumentHasTheMeasuredMatrix) {
   }
 }
 
-/// All scenes: 12 s of CPU, so only when it is asked for.
-TEST(Teaching, TheDocumentIsWhatTheCommandPrints) {
-  if (std::getenv("PLUMB_WHOLE_MATRIX") == nullptr) return;
-  const Matrix matrix(lessons_in(tests::source_path("tests/scenes")), [](double) {});
-  EXPECT_EQ(shipped_text(), markdown_of(matrix, teaching_set(matrix)));
-}
-
 bool hits_all(const std::vector<Indices>& wishes, unsigned chosen) {
   return std::all_of(wishes.begin(), wishes.end(), [&](const Indices& wish) {
     return std::any_of(wish.begin(), wish.end(), [&](std::size_t i) { return (chosen >> i & 1U) != 0; });
