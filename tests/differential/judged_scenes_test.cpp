@@ -1,8 +1,6 @@
 // Every pixel of random scenes, ours against the oracle: nowhere may ours be wrong. POV-Ray is not needed.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-
 #include "references/judgement.hpp"
 #include "references/renderer.hpp"
 #include "tests/support/random_scene.hpp"
@@ -16,21 +14,15 @@ using references::Judgement;
 using references::Renderer;
 using references::Verdict;
 
-/// What the environment sets, or what is tried in a short run.
-int number_from(const char* variable, int in_a_short_run) {
-  const char* const wanted = std::getenv(variable);
-  return wanted == nullptr ? in_a_short_run : static_cast<int>(std::strtol(wanted, nullptr, 10));
-}
-
 /// PLUMB_JUDGED_SCENES says how many, PLUMB_JUDGED_WIDTH how large; three quarters as high.
 TEST(JudgedScenes, OursIsNowhereWrong) {
-  const int wanted = number_from("PLUMB_JUDGED_SCENES", 30);
-  const int width = number_from("PLUMB_JUDGED_WIDTH", 16);
+  const unsigned wanted = number_from("PLUMB_JUDGED_SCENES", 30);
+  const auto width = static_cast<int>(number_from("PLUMB_JUDGED_WIDTH", 16));
   constexpr double enough = 1e12;
   std::size_t undecided = 0;
   std::size_t pixels = 0;
-  for (int seed = 1; seed <= wanted; ++seed) {
-    const RandomScene random = random_scene(static_cast<unsigned>(seed));
+  for (unsigned seed = 1; seed <= wanted; ++seed) {
+    const RandomScene random = random_scene(seed);
     const Scene scene = read_scene(write_scene(random.scene)).scene;
     const Camera& camera = scene.cameras.front();
     RenderJob job;

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <map>
 #include <utility>
 
@@ -21,12 +20,6 @@ namespace {
 using references::Renderer;
 using references::SceneResult;
 using references::Status;
-
-/// An environment variable sets how many; scripts/test --long asks for more.
-unsigned number_from(const char* variable, unsigned in_a_short_run) {
-  const char* const wanted = std::getenv(variable);
-  return wanted == nullptr ? in_a_short_run : static_cast<unsigned>(std::strtoul(wanted, nullptr, 10));
-}
 
 /// Read back from its own text, exported, and rendered small in double and float by both tracers.
 TEST(RandomScenes, NeverCrash) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <random>
 #include <string>
 
@@ -129,5 +130,10 @@ class Generator {
 }  // namespace
 
 RandomScene random_scene(unsigned seed) { return Generator(seed).make(); }
+
+unsigned number_from(const char* variable, unsigned in_a_short_run) {
+  const char* const wanted = std::getenv(variable);
+  return wanted == nullptr ? in_a_short_run : static_cast<unsigned>(std::strtoul(wanted, nullptr, 10));
+}
 
 }  // namespace plumb::tests
