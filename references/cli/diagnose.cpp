@@ -149,7 +149,8 @@ int run_diagnose(const Options& options) {
   job.height = seen.height;
   job.options = render_options_of(options.common);
   const references::Diagnosis diagnosis = references::diagnose(scene, view.camera, job, seen);
-  const std::vector<TellApart> tell_apart = scenes_that_tell_apart(diagnosis);
+  const bool is_asked = options.hint == 3 || !options.json.empty();
+  const auto tell_apart = is_asked ? scenes_that_tell_apart(diagnosis) : std::vector<TellApart>{};
   if (options.json != "-") {
     print(options, diagnosis);
     print(tell_apart, options.hint);

@@ -61,19 +61,13 @@ void set_remaining(const std::vector<float>& differences, Diagnosis& diagnosis) 
   diagnosis.rms = std::sqrt(squares / static_cast<double>(differences.size())) / 255;
 }
 
-FaultSet without(FaultSet set, std::size_t fault) {
-  set.erase(std::find(set.begin(), set.end(), fault));
-  return set;
-}
-
 /// The faults that give the same picture in the place of one of a set.
 std::vector<const Fault*> alike(const Evidence& evidence, const Fit& fit, std::size_t fault) {
   const FaultSet rest = without(fit.set, fault);
   std::vector<FaultSet> exchanged;
   for (std::size_t other = 0; other < fault_catalogue().size(); ++other) {
     if (std::binary_search(fit.set.begin(), fit.set.end(), other)) continue;
-    exchanged.push_back(rest);
-    exchanged.back().insert(std::lower_bound(exchanged.back().begin(), exchanged.back().end(), other), other);
+    exchanged.push_back(with(rest, other));
   }
   std::vector<const Fault*> found;
   for (const FaultSet& set : evidence.alike(fit, exchanged)) {
@@ -87,13 +81,13 @@ std::vector<const Fault*> alike(const Evidence& evidence, const Fit& fit, std::s
 
 FoundFault found_fault(const Evidence& evidence, const Fit& fit, std::size_t fault, double explained) {
   FoundFault found{&fault_catalogue()[fault], 0, 0, alike(evidence, fit, fault)};
-  const std::vector<float> with = evidence.differences_at(fit, evidence.survey());
+  const std::vector<float> together = evidence.differences_at(fit, evidence.survey());
   const std::vector<float> otherwise =
       evidence.differences_at({without(fit.set, fault), fit.encoding, 0, 0}, evidence.survey());
   std::size_t righted = 0;
-  for (std::size_t i = 0; i < with.size(); ++i)
-    righted += is_close(with[i]) && !is_close(otherwise[i]) ? 1 : 0;
-  found.pixels = righted * evidence.pixels_of_picture() / with.size();
+  for (std::size_t i = 0; i < together.size(); ++i)
+    righted += is_close(together[i]) && !is_close(otherwise[i]) ? 1 : 0;
+  found.pixels = righted * evidence.pixels_of_picture() / together.size();
   found.confidence = explained / static_cast<double>(1 + found.alike.size());
   return found;
 }

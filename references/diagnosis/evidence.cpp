@@ -55,6 +55,16 @@ std::vector<const Fault*> faults_of(const FaultSet& set) {
   return faults;
 }
 
+FaultSet with(FaultSet set, std::size_t fault) {
+  set.insert(std::lower_bound(set.begin(), set.end(), fault), fault);
+  return set;
+}
+
+FaultSet without(FaultSet set, std::size_t fault) {
+  set.erase(std::find(set.begin(), set.end(), fault));
+  return set;
+}
+
 std::vector<PixelPlace> spread(int width, int height, std::size_t count) {
   constexpr double g = 1.32471795724474602596;
   std::vector<PixelPlace> places;

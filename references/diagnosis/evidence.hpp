@@ -13,6 +13,9 @@ namespace plumb::references {
 using FaultSet = std::vector<std::size_t>;
 
 std::vector<const Fault*> faults_of(const FaultSet& set);
+/// With a fault that is not in it, and without one that is.
+FaultSet with(FaultSet set, std::size_t fault);
+FaultSet without(FaultSet set, std::size_t fault);
 
 /// How far a picture is from the one that a set of faults gives.
 struct Fit {
