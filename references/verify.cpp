@@ -3,7 +3,6 @@
 #include <time.h>
 
 #include <algorithm>
-#include <atomic>
 #include <charconv>
 #include <exception>
 #include <memory>
@@ -11,6 +10,7 @@
 #include <thread>
 
 #include "exporters/povray.hpp"
+#include "references/in_parallel.hpp"
 #include "references/reference_source.hpp"
 #include "tracer/scene/reader.hpp"
 
@@ -263,35 +263,16 @@ VerifyReport verify(const std::vector<std::string>& scenes, const VerifyOptions&
   const int jobs = std::clamp(wanted, 1, static_cast<int>(std::max<std::size_t>(1, scenes.size())));
   const int threads = jobs >= cores ? 1 : cores;
   InOrder in_order(report.scenes, done);
-  std::atomic<std::size_t> next{0};
-  std::mutex mutex;
-  std::exception_ptr failure;  // of the caller's `done`; the first one ends all
-  const auto report_ready = [&](std::size_t i) {
+  in_parallel(report.scenes.size(), jobs, [&](std::size_t i) {
+    SceneResult& result = report.scenes[i];
     try {
-      in_order.ready(i);
-    } catch (...) {
-      next = report.scenes.size();
-      const std::lock_guard lock(mutex);
-      if (!failure) failure = std::current_exception();
+      verify_scene(options, source, threads, result);
+    } catch (const std::exception& error) {
+      result.status = Status::error;
+      result.message = error.what();
     }
-  };
-  const auto work = [&] {
-    for (std::size_t i = next++; i < report.scenes.size(); i = next++) {
-      SceneResult& result = report.scenes[i];
-      try {
-        verify_scene(options, source, threads, result);
-      } catch (const std::exception& error) {
-        result.status = Status::error;
-        result.message = error.what();
-      }
-      report_ready(i);
-    }
-  };
-  std::vector<std::jthread> helpers;
-  for (int i = 1; i < jobs; ++i) helpers.emplace_back(work);
-  work();
-  helpers.clear();
-  if (failure) std::rethrow_exception(failure);
+    in_order.ready(i);  // throws what the caller's `done` throws
+  });
   report.complaint = source.complaint();
   return report;
 }

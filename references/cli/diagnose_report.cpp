@@ -1,7 +1,6 @@
 #include "references/cli/diagnose_report.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <filesystem>
 
@@ -17,37 +16,16 @@ using references::Fault;
 using references::html_escaped;
 using teaching::Picture;
 
-unsigned char byte_of(float level) {
-  return std::isnan(level) ? 0 : static_cast<unsigned char>(std::clamp(level, 0.0F, 255.0F));
-}
-
-Picture picture_seen(const ImageFile& seen) {
-  Picture picture{seen.width, seen.height, {}};
-  const auto channels = static_cast<std::size_t>(seen.channels);
-  const std::size_t pixels = seen.values.size() / channels;
-  for (std::size_t i = 0; i < pixels; ++i) {
-    for (std::size_t c = 0; c < 3; ++c)
-      picture.levels.push_back(byte_of(255 * seen.values[channels * i + (channels < 3 ? 0 : c)] + 0.5F));
-  }
-  return picture;
-}
-
-/// As the tracer would have written it.
 Picture picture_with(const Diagnosed& d, const std::vector<const Fault*>& faults) {
-  const Image image = references::render_with(d.scene, d.camera, d.job, faults);
-  Picture picture{image.width, image.height, {}};
-  for (std::size_t i = 0; i < image.rgb.size(); ++i) {
-    const std::size_t from = d.diagnosis.encoding.is_bgr ? i - i % 3 + (2 - i % 3) : i;
-    picture.levels.push_back(byte_of(d.diagnosis.encoding.level(image.rgb[from])));
-  }
-  return picture;
+  return teaching::picture_of(references::render_with(d.scene, d.camera, d.job, faults),
+                              d.diagnosis.encoding);
 }
 
 std::string pictures_of(const Diagnosed& d) {
   std::vector<const Fault*> faults;
   for (const references::FoundFault& found : d.diagnosis.faults) faults.push_back(found.fault);
   std::sort(faults.begin(), faults.end());
-  const Picture seen = picture_seen(d.seen);
+  const Picture seen = teaching::picture_of(d.seen);
   const Picture right = picture_with(d, {});
   std::string html =
       "<div class=pictures>" + teaching::figure(seen, "the picture that was handed over") +

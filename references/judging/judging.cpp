@@ -2,16 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
-#include <cmath>
-#include <exception>
 #include <mutex>
-#include <thread>
 
+#include "references/in_parallel.hpp"
 #include "references/judging/run_tracer.hpp"
 #include "references/process.hpp"
 #include "references/renderer.hpp"
-#include "references/report/packing.hpp"
+#include "references/teaching/pages.hpp"
 #include "tracer/image/io.hpp"
 
 namespace plumb::references {
@@ -49,40 +46,11 @@ std::optional<ImageFile> read_picture(const std::string& file, const JudgedScene
   return std::nullopt;
 }
 
-std::vector<unsigned char> levels_of(const Image& image, const OutputEncoding& encoding) {
-  OutputEncoding shown = encoding;
-  shown.is_float = false;
-  std::vector<unsigned char> levels;
-  levels.reserve(image.rgb.size());
-  for (std::size_t i = 0; i < image.rgb.size(); ++i) {
-    const std::size_t from = encoding.is_bgr ? i - i % 3 + 2 - i % 3 : i;
-    levels.push_back(static_cast<unsigned char>(shown.level(image.rgb[from])));
-  }
-  return levels;
-}
-
-std::vector<unsigned char> levels_of(const ImageFile& image) {
-  std::vector<unsigned char> levels;
-  const auto channels = static_cast<std::size_t>(image.channels);
-  for (std::size_t i = 0; i < image.values.size(); i += channels) {
-    for (std::size_t c = 0; c < 3; ++c) {
-      const float value = image.values[i + (channels < 3 ? 0 : c)];
-      levels.push_back(static_cast<unsigned char>(std::lround(255 * std::clamp(value, 0.0F, 1.0F))));
-    }
-  }
-  return levels;
-}
-
-/// Differences are shown eight times as large.
-void keep_pictures(const Image& ours, const ImageFile& theirs, JudgedPicture& result) {
-  const std::vector<unsigned char> a = levels_of(ours, result.diagnosis->encoding);
-  const std::vector<unsigned char> b = levels_of(theirs);
-  std::vector<unsigned char> difference(a.size());
-  for (std::size_t i = 0; i < a.size(); ++i)
-    difference[i] = static_cast<unsigned char>(std::min(255, 8 * std::abs(a[i] - b[i])));
-  result.ours = png(ours.width, ours.height, 3, a);
-  result.theirs = png(ours.width, ours.height, 3, b);
-  result.difference = png(ours.width, ours.height, 3, difference);
+std::string figures_of(const Image& ours, const ImageFile& theirs, const OutputEncoding& encoding) {
+  const teaching::Picture right = teaching::picture_of(ours, encoding);
+  const teaching::Picture seen = teaching::picture_of(theirs);
+  return teaching::figure(right, "right") + teaching::figure(seen, "handed in") +
+         teaching::figure(teaching::difference_of(right, seen), "where they differ, 4 times as bright");
 }
 
 Judged verdict_of(PictureVerdict verdict) {
@@ -105,7 +73,8 @@ void judge_picture(const std::string& file, const JudgedScene& scene, const Judg
   result.diagnosis = diagnose(scene.scene, camera, job, *seen);
   result.verdict = verdict_of(result.diagnosis->verdict);
   if (options.keeps_pictures)
-    keep_pictures(render(Renderer::engine, scene.scene, camera, job), *seen, result);
+    result.figures =
+        figures_of(render(Renderer::engine, scene.scene, camera, job), *seen, result.diagnosis->encoding);
 }
 
 JudgedPicture judge_one(const Submission& submission, const JudgedScene& scene, const JudgeOptions& options) {
@@ -118,29 +87,6 @@ JudgedPicture judge_one(const Submission& submission, const JudgedScene& scene, 
                                : picture_of_run(submission, scene, options, own.path(), result);
   if (!file.empty()) judge_picture(file, scene, options, result);
   return result;
-}
-
-/// Calls `work` with 0 to count - 1 on so many threads; the first exception ends all and is thrown.
-void in_parallel(std::size_t count, int jobs, const std::function<void(std::size_t)>& work) {
-  std::atomic<std::size_t> next = 0;
-  std::mutex mutex;
-  std::exception_ptr trouble;
-  const auto work_on = [&] {
-    for (std::size_t i = next++; i < count; i = next++) {
-      try {
-        work(i);
-      } catch (...) {
-        const std::scoped_lock lock(mutex);
-        if (!trouble) trouble = std::current_exception();
-        next = count;
-      }
-    }
-  };
-  {
-    std::vector<std::jthread> threads;
-    for (int i = 0; i < jobs; ++i) threads.emplace_back(work_on);
-  }
-  if (trouble) std::rethrow_exception(trouble);
 }
 
 }  // namespace

@@ -47,11 +47,11 @@ struct JudgedPicture {
   std::string submission;
   std::string scene;
   Judged verdict = Judged::no_image;
-  std::string message;                   ///< one line; empty when there is a diagnosis
-  std::string printed;                   ///< by the program
-  double wall_seconds = 0;               ///< of the program
-  std::optional<Diagnosis> diagnosis;    ///< when there was a picture of the right size
-  std::string ours, theirs, difference;  ///< PNG files, when they are kept
+  std::string message;                 ///< one line; empty when there is a diagnosis
+  std::string printed;                 ///< by the program
+  double wall_seconds = 0;             ///< of the program
+  std::optional<Diagnosis> diagnosis;  ///< when there was a picture of the right size
+  std::string figures;                 ///< HTML of ours, theirs and the difference, when they are kept
 };
 
 struct JudgeOptions {

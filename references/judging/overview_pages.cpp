@@ -3,7 +3,7 @@
 
 #include "references/judging/overview.hpp"
 #include "references/report/escape.hpp"
-#include "references/report/packing.hpp"
+#include "references/teaching/pages.hpp"
 #include "tracer/image/files.hpp"
 
 namespace plumb::references {
@@ -11,37 +11,16 @@ namespace {
 
 /// Colour-blind safe (Okabe and Ito, 2008), and each verdict is written out, too.
 constexpr const char* style = R"(
-:root{color-scheme:light}
-body{font:15px/1.45 system-ui,sans-serif;margin:2rem auto;padding:0 1.5rem;max-width:1500px;color:#1c1c1c;background:#fff}
-h1{font-size:1.5rem;margin:0 0 .3rem}h2{font-size:1.15rem;margin:2.2rem 0 .4rem;border-top:1px solid #ddd;padding-top:1rem}
-p{margin:.3rem 0}table{border-collapse:collapse;margin:1rem 0}
-th,td{padding:.25rem .55rem;text-align:left;border:1px solid #fff;font-weight:normal;vertical-align:top}
-thead th{position:sticky;top:0;background:#f2f2f2}tbody th{background:#f7f7f7;white-space:nowrap}
-td a{color:inherit;text-decoration:none;display:block}td a:hover{text-decoration:underline}
-td small{display:block;opacity:.85;max-width:22rem}
+body{max-width:1500px}table{border-collapse:collapse;margin:1rem 0}
+th,td{padding:.25rem .55rem;text-align:left;font-weight:normal;vertical-align:top}
+thead th{position:sticky;top:0;background:var(--raised)}tbody th{background:var(--raised);white-space:nowrap}
+td,.tag{color:#1c1c1c}td a{color:inherit;text-decoration:none;display:block}td a:hover{text-decoration:underline}
+td small{display:block;opacity:.85;max-width:22rem}.tag{padding:.1rem .5rem;border-radius:.25rem}
 .right{background:#bfe8d6}.faults{background:#ffe3a3}.unexplained{background:#f3c9df}
 .wrong-size,.no-image,.unreadable{background:#d6e4f5}
 .crashed,.timed-out,.too-much-cpu,.too-much-memory,.too-many-processes,.too-much-output{background:#f0b9a0}
-.tag{padding:.1rem .5rem;border-radius:.25rem}
-.row{display:flex;gap:1rem;flex-wrap:wrap;margin:.6rem 0}figure{margin:0}figcaption{font-size:.85rem;color:#555}
-img{display:block;image-rendering:pixelated;width:320px;max-width:100%;border:1px solid #ccc}
-pre{background:#f5f5f5;padding:.6rem;overflow:auto;max-height:14rem;white-space:pre-wrap}
-dl{margin:.5rem 0;display:grid;grid-template-columns:max-content 1fr;gap:.1rem .8rem}dt{color:#555}dd{margin:0}
+.pictures{max-width:64rem}pre{background:var(--raised);padding:.6rem;overflow:auto;max-height:14rem;white-space:pre-wrap}
 )";
-
-/// Nothing is loaded, and nothing runs, whatever a name holds.
-std::string page(const std::string& title, const std::string& body) {
-  return "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta http-equiv=\""
-         "Content-Security-Policy\" content=\"default-src 'none'; img-src data:; style-src 'unsafe-inline'\">"
-         "<meta name=\"viewport\" content=\"width=device-width\"><title>" +
-         html_escaped(title) + "</title><style>" + style + "</style></head><body>\n" + body +
-         "</body></html>\n";
-}
-
-std::string image(const std::string& png, const std::string& caption) {
-  return "<figure><img alt=\"" + caption + "\" src=\"data:image/png;base64," + base64(png) +
-         "\"><figcaption>" + caption + "</figcaption></figure>\n";
-}
 
 std::string definition(std::string_view term, std::string_view text) {
   return "<dt>" + html_escaped(term) + "</dt><dd>" + html_escaped(text) + "</dd>\n";
@@ -54,8 +33,7 @@ std::string fault_text(const FoundFault& found, HintLevel hint) {
   if (hint >= 3) {
     text += definition("found", fault.wrong) + definition("right", fault.right) + definition("id", fault.id);
     for (const Fault* other : found.alike)
-      text += definition("or", std::string(other->id) + ": the same picture here; tests/scenes/" +
-                                   std::string(other->shown_by) + " tells them apart");
+      text += definition("or", std::string(other->id) + ": the same picture here");
   }
   return text + definition("pixels", std::to_string(found.pixels)) + "</dl>\n";
 }
@@ -76,10 +54,7 @@ std::string section(const JudgedPicture& picture, HintLevel hint) {
     if (picture.verdict == Judged::faults)
       for (const FoundFault& found : picture.diagnosis->faults) text += fault_text(found, hint);
   }
-  if (!picture.ours.empty()) {
-    text += "<div class=\"row\">" + image(picture.ours, "right") + image(picture.theirs, "handed in") +
-            image(picture.difference, "difference, times 8") + "</div>\n";
-  }
+  if (!picture.figures.empty()) text += "<div class=pictures>" + picture.figures + "</div>\n";
   if (!picture.printed.empty()) text += "<pre>" + html_escaped(picture.printed) + "</pre>\n";
   return text;
 }
@@ -129,13 +104,15 @@ void write_overview(const std::string& directory, const std::vector<JudgedPictur
     rows += "<tr><th><a href=\"" + page_name(number) + "\">" + html_escaped(name) + "</a><br><small>" +
             score + "</small></th>" + row + "</tr>\n";
     write_file(directory + "/" + page_name(number),
-               page(name, "<p><a href=\"index.html\">all submissions</a></p><h1>" + html_escaped(name) +
-                              "</h1><p>" + score + "</p>\n" + sections));
+               teaching::page(
+                   name, "<p><a href=\"index.html\">all submissions</a></p><p>" + score + "</p>\n" + sections,
+                   style));
   }
-  write_file(
-      directory + "/index.html",
-      page("Tracers judged by plumb", "<h1>Tracers judged by plumb</h1>\n" + summary(all) + "<table><thead>" +
-                                          head + "</tr></thead><tbody>\n" + rows + "</tbody></table>\n"));
+  write_file(directory + "/index.html",
+             teaching::page("Tracers judged by plumb",
+                            summary(all) + "<table><thead>" + head + "</tr></thead><tbody>\n" + rows +
+                                "</tbody></table>\n",
+                            style));
 }
 
 }  // namespace plumb::references

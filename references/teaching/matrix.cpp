@@ -1,13 +1,13 @@
 #include "references/teaching/matrix.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cstddef>
 #include <cstdlib>
 #include <filesystem>
 #include <stdexcept>
 #include <thread>
 
+#include "references/in_parallel.hpp"
 #include "tracer/image/encode.hpp"
 #include "tracer/scene/reader.hpp"
 
@@ -31,22 +31,11 @@ std::size_t pixels_apart(const Handed& a, const Handed& b, std::size_t most) {
   return count;
 }
 
-/// Calls `work` with 0 to `count` - 1, from all processors.
-template <typename Work>
-void in_parallel(std::size_t count, Work work) {
-  std::atomic<std::size_t> next{0};
-  const auto take = [&] {
-    for (std::size_t i = next++; i < count; i = next++) work(i);
-  };
-  std::vector<std::jthread> threads;
-  for (unsigned i = 1; i < std::thread::hardware_concurrency(); ++i) threads.emplace_back(take);
-  take();
-}
-
 /// The right picture, then one for each fault.
 std::vector<Handed> pictures_of(const Lesson& lesson) {
   std::vector<Handed> pictures(fault_catalogue().size() + 1);
-  in_parallel(pictures.size(), [&](std::size_t i) {
+  const auto processors = static_cast<int>(std::thread::hardware_concurrency());
+  in_parallel(pictures.size(), processors, [&](std::size_t i) {
     pictures[i] = i == 0 ? handed(lesson, {}) : handed(lesson, {&fault_catalogue()[i - 1]});
   });
   return pictures;

@@ -1,6 +1,7 @@
 #include "references/teaching/pages.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 #include "references/report/escape.hpp"
@@ -44,6 +45,10 @@ std::string definition(std::string_view kind, std::string_view term, std::string
          (is_code ? "<code>" + escaped + "</code>" : escaped) + "</dd>";
 }
 
+unsigned char byte_of(float level) {
+  return std::isnan(level) ? 0 : static_cast<unsigned char>(std::clamp(level, 0.0F, 255.0F));
+}
+
 /// The fault's own scene, right and wrong.
 std::string picture_pair(const Fault& fault, const std::string& scenes) {
   const Scene scene = load_scene(scenes + "/" + std::string(fault.shown_by), {});
@@ -83,6 +88,25 @@ Picture picture_of(const Image& image) {
   return {image.width, image.height, encode_8_bits(image, Encoding::course)};
 }
 
+Picture picture_of(const ImageFile& image) {
+  Picture picture{image.width, image.height, {}};
+  const auto channels = static_cast<std::size_t>(image.channels);
+  for (std::size_t i = 0; i + channels <= image.values.size(); i += channels) {
+    for (std::size_t c = 0; c < 3; ++c)
+      picture.levels.push_back(byte_of(255 * image.values[i + (channels < 3 ? 0 : c)] + 0.5F));
+  }
+  return picture;
+}
+
+Picture picture_of(const Image& image, const OutputEncoding& encoding) {
+  Picture picture{image.width, image.height, {}};
+  for (std::size_t i = 0; i < image.rgb.size(); ++i) {
+    const std::size_t from = encoding.is_bgr ? i - i % 3 + (2 - i % 3) : i;
+    picture.levels.push_back(byte_of(encoding.level(image.rgb[from])));
+  }
+  return picture;
+}
+
 Picture difference_of(const Picture& a, const Picture& b) {
   constexpr int gain = 4;
   Picture difference{a.width, a.height, {}};
@@ -100,11 +124,13 @@ std::string figure(const Picture& picture, std::string_view caption) {
          "</figcaption></figure>";
 }
 
-std::string page(std::string_view title, const std::string& body) {
+std::string page(std::string_view title, const std::string& body, std::string_view more_style) {
   return "<!DOCTYPE html><html lang=en><meta charset=utf-8><meta name=viewport "
-         "content='width=device-width'><title>" +
-         html_escaped(title) + "</title><style>" + std::string(style) + "</style><h1>" + html_escaped(title) +
-         "</h1>\n" + body + "</html>\n";
+         "content='width=device-width'><meta http-equiv=Content-Security-Policy content=\"default-src "
+         "'none'; "
+         "img-src data:; style-src 'unsafe-inline'\"><title>" +
+         html_escaped(title) + "</title><style>" + std::string(style) + std::string(more_style) +
+         "</style><h1>" + html_escaped(title) + "</h1>\n" + body + "</html>\n";
 }
 
 std::string section_of(const Fault& fault, const std::string& scenes, const std::string& remark) {

@@ -6,7 +6,9 @@
 #include <string_view>
 #include <vector>
 
+#include "references/diagnosis/output_encoding.hpp"
 #include "references/faults/fault.hpp"
+#include "tracer/image/image_file.hpp"
 
 namespace plumb::references::teaching {
 
@@ -20,14 +22,21 @@ struct Picture {
 /// Tone-mapped and truncated, as the course hands pictures over.
 Picture picture_of(const Image& image);
 
+/// A picture that was handed over, to the nearest level; what is no number is black.
+Picture picture_of(const ImageFile& image);
+
+/// As a tracer with that encoding would have written it; floats are clamped.
+Picture picture_of(const Image& image, const OutputEncoding& encoding);
+
 /// Where two pictures of one size differ: black where they agree, white from 64 levels on.
 Picture difference_of(const Picture& a, const Picture& b);
 
 /// <figure> with the picture inside it, as a data URI.
 std::string figure(const Picture& picture, std::string_view caption);
 
-/// A whole page that needs no other file; `body` is HTML.
-std::string page(std::string_view title, const std::string& body);
+/// A whole page that needs no other file, and in which nothing runs, whatever a name holds; `body` is HTML,
+/// `more_style` CSS of its own.
+std::string page(std::string_view title, const std::string& body, std::string_view more_style = "");
 
 /// <section id=FAULT>: what is wrong, both formulas, how common it is, and the fault's own scene rendered
 /// right and wrong. `remark` is HTML that follows the sentence. Throws std::runtime_error when the scene is

@@ -40,7 +40,7 @@ TEST_F(TeachingCommand, ThePageOfTheFaultsHasAPairOfPicturesForEach) {
     EXPECT_TRUE(contains(page, "<section id=" + id + ">")) << id;
     EXPECT_TRUE(contains(page, "<a href='#" + id + "'>")) << id;
   }
-  EXPECT_FALSE(contains(page, "http")) << "the page needs no other file";
+  EXPECT_FALSE(contains(page, "://")) << "the page needs no other file";
 }
 
 TEST_F(TeachingCommand, WhatIsAmbiguousIsSettledByTheSceneThatIsNamed) {
