@@ -55,13 +55,14 @@ std::string harmless(const std::string& name) {
 
 class Exporter {
  public:
-  Exporter(const Scene& scene, const Camera& camera, int width, int height, const RenderOptions& options)
+  Exporter(const Scene& scene, const Camera& camera, int width, int height, const RenderOptions& options,
+           const ExportSpace& space)
       : scene_(scene),
         camera_(camera),
         width_(width),
         height_(height),
         options_(options),
-        space_(export_space(scene, camera)),
+        space_(space),
         roots_(scene.roots()) {}
 
   PovrayExport write() {
@@ -272,7 +273,12 @@ ExportSpace export_space(const Scene& scene, const Camera& camera) {
 
 PovrayExport export_povray(const Scene& scene, const Camera& camera, int width, int height,
                            const RenderOptions& options) {
-  return Exporter(scene, camera, width, height, options).write();
+  return export_povray(scene, camera, width, height, options, export_space(scene, camera));
+}
+
+PovrayExport export_povray(const Scene& scene, const Camera& camera, int width, int height,
+                           const RenderOptions& options, const ExportSpace& space) {
+  return Exporter(scene, camera, width, height, options, space).write();
 }
 
 }  // namespace plumb::exporters

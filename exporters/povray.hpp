@@ -26,4 +26,9 @@ struct PovrayExport {
 PovrayExport export_povray(const Scene& scene, const Camera& camera, int width, int height,
                            const RenderOptions& options);
 
+/// The same in a space of the caller's: {1, 0} has the scene's own units, with which POV-Ray is at its
+/// weakest.
+PovrayExport export_povray(const Scene& scene, const Camera& camera, int width, int height,
+                           const RenderOptions& options, const ExportSpace& space);
+
 }  // namespace plumb::exporters

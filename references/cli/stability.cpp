@@ -38,7 +38,7 @@ int run_stability(const Options& options) {
 Command add_stability(CLI::App& plumb) {
   CLI::App* app = plumb.add_subcommand(
       "stability",
-      "Find where each method fails in each real type, as distance, scale, angle and so on grow.");
+      "Find where each method, POV-Ray and Embree fail, as distance, scale, angle and so on grow.");
   auto options = std::make_shared<Options>();
   app->add_flag("--quick", options->quick, "fewer values and rays");
   app->add_option("--condition", options->condition, "sweep this one alone")->type_name("NAME");
@@ -46,7 +46,7 @@ Command add_stability(CLI::App& plumb) {
       ->type_name("FILE");
   app->add_option("--report", options->report, "write a page with a map of each condition")->type_name("DIR");
   app->footer(
-      "Example: plumb stability --quick --condition distance\n"
+      "Example: plumb stability --quick --condition distance --report atlas\n"
       "Finished rows are kept in the cache, so an interrupted run resumes. Exit codes: 0 done, 2 trouble.");
   return {app, [options] { return run_stability(*options); }};
 }

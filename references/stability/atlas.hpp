@@ -28,6 +28,9 @@ struct Row {
   std::vector<std::pair<double, double>>
       curve;  ///< value, largest relative error; 1 for a lost or false hit, NaN where rounding
   ///< the inputs left no true hit to ask for
+  std::vector<std::pair<double, double>> wrong;  ///< value, share of rays or pixels that are wrong
+  bool measures_pixels = false;                  ///< of whole pictures (1e-6 linear), not t of single rays
+  std::string unavailable;                       ///< why nothing was measured: a renderer is missing
 };
 
 struct Condition {
@@ -47,7 +50,9 @@ struct Sweep {
 /// sweep gives the same numbers.
 std::vector<Condition> stability(const Sweep& sweep);
 
-/// {conditions: [{name, unit, rows: [{method, real, source, breaks, cause, remedy, curve}]}]}
+/// {conditions: [{name, unit, rows: [{method, real, source, status, measures, breaks, cause, remedy, curve,
+/// wrong}]}]}: status is "measured" or "renderer unavailable"; measures is "t" (a ray is wrong that misses,
+/// meets itself or is 1 % off) or "pixels" (over 1e-6).
 nlohmann::ordered_json to_json(const std::vector<Condition>& conditions);
 
 /// A table for a terminal.

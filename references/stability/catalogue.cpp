@@ -1,9 +1,13 @@
 #include "references/stability/catalogue.hpp"
 
+#include <algorithm>
 #include <type_traits>
+#include <utility>
 
 #include "references/stability/boxes.hpp"
 #include "references/stability/chains.hpp"
+#include "references/stability/embree.hpp"
+#include "references/stability/rendered.hpp"
 #include "references/stability/spheres.hpp"
 #include "tracer/formulas/secondary.hpp"
 #include "tracer/formulas/sphere.hpp"
@@ -21,6 +25,30 @@ struct Words {
   const char *id, *source, *cause, *remedy;
 };
 
+/// The same rays at every value, so that bisection sees one condition change.
+Probe of_rays(Experiment experiment) {
+  return [experiment = std::move(experiment)](double value, int rays) {
+    Random random(1);
+    Outcome all;
+    int asked = 0;
+    for (int i = 0; i < rays; ++i) {
+      const Trial trial = experiment(value, random);
+      if (!trial.counts) continue;
+      ++asked;
+      all.missed |= trial.missed;
+      all.self_shadow |= trial.self_shadow;
+      const bool is_wrong = trial.missed || trial.self_shadow || !(trial.relative <= 0.01);
+      all.wrong += is_wrong ? 1 : 0;
+      if (trial.missed) continue;
+      all.ulps = std::max(all.ulps, trial.ulps);
+      all.relative = std::max(all.relative, trial.relative);
+    }
+    all.counts = asked > 0;
+    if (all.counts) all.wrong /= asked;
+    return all;
+  };
+}
+
 /// `make` gives the experiment in a real type.
 template <class Make>
 Method method(const Words& words, Make make) {
@@ -28,7 +56,35 @@ Method method(const Words& words, Make make) {
           words.source,
           words.cause,
           words.remedy,
-          {make(Is<float>()), make(Is<double>()), make(Is<long double>())}};
+          false,
+          {{"float", of_rays(make(Is<float>())), ""},
+           {"double", of_rays(make(Is<double>())), ""},
+           {"long-double", of_rays(make(Is<long double>())), ""}}};
+}
+
+Method by_embree(const char* id, const char* source, Experiment experiment) {
+  return {id,
+          source,
+          "24 bits of a float, and the reciprocals of the hierarchy",
+          "doubles, or coordinates near the object",
+          false,
+          {{"float", of_rays(std::move(experiment)), embree_version()}}};
+}
+
+Method pictures(const Words& words, const char* real, const std::string& renderer, Probe probe) {
+  return {words.id, words.source, words.cause, words.remedy, true, {{real, std::move(probe), renderer}}};
+}
+
+constexpr const char* absolute = "its tolerances are absolute: depth 1e-6, nearest hit 1e-4, shadow 1e-3";
+
+/// POV-Ray counts in double.
+void add_povray(ConditionEntry& entry) {
+  entry.methods.push_back(
+      pictures({"povray", "POV-Ray 3.7, the scene's own units", absolute, "export the scene scaled"},
+               "double", povray_version(), against_oracle(entry.name, by_povray(false))));
+  entry.methods.push_back(pictures({"povray-rescaled", "POV-Ray 3.7, as plumb exports", absolute,
+                                    "no single scale fits both sizes: judge the pixels by 113 bits"},
+                                   "double", povray_version(), against_oracle(entry.name, by_povray(true))));
 }
 
 constexpr Words lecture{"lecture", "the lecture", "coordinates carry few bits across the object",
@@ -117,6 +173,10 @@ template <auto setting>
 ConditionEntry sphere_condition(const char* name, const char* unit, double last) {
   ConditionEntry entry{name, unit, last, false, 400, spheres<setting>()};
   add_starts<setting>(entry.methods);
+  entry.methods.push_back(
+      by_embree("embree", "Embree 3, sphere points", &sphere_trial<float, &embree_sphere, setting>));
+  entry.methods.push_back(by_embree("embree-secondary", "Embree 3, tnear 0",
+                                    &start_trial<float, ByNothing{}, setting, &embree_sphere>));
   return entry;
 }
 
@@ -143,7 +203,9 @@ std::vector<Method> boxes(Setting) {
            "a case for direction 0"},
           []<class R>(Is<R>) { return &box_trial<R, &methods::box_williams<R>, Setting::template of<R>>; }),
       method({"box-ize", "Ize 2013", lecture.cause, lecture.remedy},
-             []<class R>(Is<R>) { return &box_trial<R, &methods::box_ize<R>, Setting::template of<R>>; })};
+             []<class R>(Is<R>) { return &box_trial<R, &methods::box_ize<R>, Setting::template of<R>>; }),
+      by_embree("embree", "Embree 3, six quadrilaterals",
+                &box_trial<float, &embree_box, Setting::template of<float>>)};
 }
 struct Thin {
   template <class R>
@@ -164,21 +226,56 @@ struct Parallel {
   }
 };
 
-template <auto steps>
-std::vector<Method> transforms() {
-  return {method({"lecture", "the lecture", "rounding of every matrix adds up", "a wider real type"},
-                 []<class R>(Is<R>) { return &placed_trial<R, &transform_of<R>, steps>; }),
-          method({"inverse-of-product", "common use", "the inverse loses the condition number once more",
-                  "multiply the inverses of the parts"},
-                 []<class R>(Is<R>) { return &placed_trial<R, &methods::inverse_of_product<R>, steps>; }),
-          method({"direction-normalised", "common use", "rounding of the length, and of the division back",
-                  "leave the direction as it is"},
-                 []<class R>(Is<R>) { return &placed_trial<R, &transform_of<R>, steps, true>; })};
+std::optional<float> embree_instance(const Placed<float>& placed, const Ray<float>& ray) {
+  return embree_placed_sphere(ray, placed.here.matrix);
 }
 
-}  // namespace
+template <auto steps>
+std::vector<Method> transforms() {
+  return {
+      method({"lecture", "the lecture", "rounding of every matrix adds up", "a wider real type"},
+             []<class R>(Is<R>) { return &placed_trial<R, &transform_of<R>, steps, &in_object_space<R>>; }),
+      method({"inverse-of-product", "common use", "the inverse loses the condition number once more",
+              "multiply the inverses of the parts"},
+             []<class R>(Is<R>) {
+               return &placed_trial<R, &methods::inverse_of_product<R>, steps, &in_object_space<R>>;
+             }),
+      method(
+          {"direction-normalised", "common use", "rounding of the length, and of the division back",
+           "leave the direction as it is"},
+          []<class R>(Is<R>) { return &placed_trial<R, &transform_of<R>, steps, &with_unit_direction<R>>; }),
+      by_embree("embree", "Embree 3, an instance",
+                &placed_trial<float, &transform_of<float>, steps, &embree_instance>)};
+}
 
-std::vector<ConditionEntry> catalogue() {
+/// Whole pictures by the lecture's formulas, where no single ray shows the condition.
+void add_lecture_pictures(ConditionEntry& entry) {
+  Method method{lecture.id, lecture.source, lecture.cause, lecture.remedy, true, {}};
+  for (const auto& [name, real] :
+       {std::pair("float", RealType::float32), std::pair("double", RealType::float64),
+        std::pair("long-double", RealType::long_double)})
+    method.variants.push_back({name, against_oracle(entry.name, by_textbook(real)), ""});
+  entry.methods.push_back(std::move(method));
+}
+
+ConditionEntry picture_condition(const char* name, const char* unit, double last) {
+  ConditionEntry entry{name, unit, last, false, 0, {}};
+  add_lecture_pictures(entry);
+  return entry;
+}
+
+ConditionEntry block_size() {
+  ConditionEntry entry{"block-size", "1 / scene scale", 1e9, false, 0, {}};
+  entry.methods.push_back(
+      pictures({"povray-blocks", "POV-Ray 3.7, +BS4 +WT1 instead of +WT2",
+                "what a ray meets first is remembered from pixel to pixel, and tolerances are absolute",
+                "export the scene scaled"},
+               "double", povray_version(),
+               against_each_other(entry.name, by_povray(false), by_povray_in_other_blocks())));
+  return entry;
+}
+
+std::vector<ConditionEntry> conditions_of_rays() {
   return {sphere_condition<&far_sphere>("distance", "distance / radius", 1e12),
           sphere_condition<&small_sphere>("small-radius", "scene / radius", 1e12),
           sphere_condition<&scaled_sphere>("scale-up", "scene scale", 1e12),
@@ -215,6 +312,22 @@ std::vector<ConditionEntry> catalogue() {
             method({"normal-as-it-is", "a common mistake",
                     "a normal's wrong length grows from mirror to mirror", "normalise every normal"},
                    []<class R>(Is<R>) { return &reflections<R, false>; })}}};
+}
+
+}  // namespace
+
+std::vector<ConditionEntry> catalogue() {
+  std::vector<ConditionEntry> all = conditions_of_rays();
+  all.push_back(picture_condition("thin-glass", "1 / thickness of a pane", 1e9));
+  all.push_back(picture_condition("gap", "1 / gap between glass and floor", 1e9));
+  for (ConditionEntry& entry : all) {
+    if (world_of(entry.name, 2)) add_povray(entry);
+  }
+  all.push_back(block_size());
+  for (ConditionEntry& entry : all) {
+    for (Method& method : entry.methods) explain(entry.name, method);
+  }
+  return all;
 }
 
 }  // namespace plumb::references::stability

@@ -1,7 +1,6 @@
 // Every sweep of the atlas: a condition, a method, and why it fails.
 #pragma once
 
-#include <array>
 #include <string>
 #include <vector>
 
@@ -9,11 +8,17 @@
 
 namespace plumb::references::stability {
 
-inline constexpr std::array<const char*, 3> real_names{"float", "double", "long-double"};
+/// A method in one real type.
+struct Variant {
+  std::string real;
+  Probe probe;
+  std::string renderer;  ///< another's name and version, or empty
+};
 
 struct Method {
   std::string id, source, cause, remedy;
-  std::array<Experiment, 3> in_real;  ///< in the order of real_names
+  bool makes_pictures;  ///< its probe counts pixels, not rays
+  std::vector<Variant> variants;
 };
 
 struct ConditionEntry {
@@ -26,5 +31,8 @@ struct ConditionEntry {
 };
 
 std::vector<ConditionEntry> catalogue();
+
+/// Why a method fails under a condition, and the remedy, where these are others than its own.
+void explain(const std::string& condition, Method& method);
 
 }  // namespace plumb::references::stability

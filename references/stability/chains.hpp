@@ -45,8 +45,22 @@ const Placed<Real>& placed_at(double value) {
   return known[value] = {place(all), transform_of<Quad>(all)};
 }
 
+template <class Real>
+std::optional<Real> in_object_space(const Placed<Real>& placed, const Ray<Real>& ray) {
+  return formulas::intersect_sphere(formulas::transform_ray(placed.here.inverse, ray), Vec3<Real>(0), Real(1),
+                                    false);
+}
+
+template <class Real>
+std::optional<Real> with_unit_direction(const Placed<Real>& placed, const Ray<Real>& ray) {
+  const auto in_object = methods::transform_and_normalise(placed.here.inverse, ray);
+  auto t = formulas::intersect_sphere(in_object.ray, Vec3<Real>(0), Real(1), false);
+  if (t) *t /= in_object.length;
+  return t;
+}
+
 /// A ray toward a unit sphere that the matrix has moved; t counts in the world.
-template <class Real, auto place, auto steps, bool normalises = false>
+template <class Real, auto place, auto steps, auto intersect>
 Trial placed_trial(double value, Random& random) {
   const Placed<Real>& m = placed_at<Real, place, steps>(value);
   const Vec3<Quad> on_it = formulas::transform_point(m.exact.matrix, Vec3<Quad>(0.9 * unit_vector(random)));
@@ -54,16 +68,7 @@ Trial placed_trial(double value, Random& random) {
   const Ray<Real> ray{Vec3<Real>(eye), glm::normalize(Vec3<Real>(on_it - eye))};
   const Ray<Quad> exact =
       formulas::transform_ray(m.exact.inverse, Ray<Quad>{Vec3<Quad>(ray.origin), Vec3<Quad>(ray.direction)});
-  const auto truth = true_sphere_hit<Quad>(exact, Vec3<Quad>(0), Quad(1));
-  if constexpr (normalises) {
-    const auto in_object = methods::transform_and_normalise(m.here.inverse, ray);
-    auto t = formulas::intersect_sphere(in_object.ray, Vec3<Real>(0), Real(1), false);
-    if (t) *t /= in_object.length;
-    return judged(t, truth);
-  } else {
-    const Ray<Real> in_object = formulas::transform_ray(m.here.inverse, ray);
-    return judged(formulas::intersect_sphere(in_object, Vec3<Real>(0), Real(1), false), truth);
-  }
+  return judged(intersect(m, ray), true_sphere_hit<Quad>(exact, Vec3<Quad>(0), Quad(1)));
 }
 
 /// How far a refracted direction is off, as a share of the bend; lost when only one of both is reflected.

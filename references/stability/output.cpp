@@ -1,7 +1,9 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <thread>
 
+#include "references/in_parallel.hpp"
 #include "references/report/packing.hpp"
 #include "references/stability/atlas.hpp"
 #include "references/stability/pictures.hpp"
@@ -13,23 +15,29 @@ using Json = nlohmann::ordered_json;
 
 Json json_of(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
 
+Json json_of(const std::vector<std::pair<double, double>>& pairs) {
+  Json all = Json::array();
+  for (const auto& [value, y] : pairs) all.push_back({Json(value), std::isnan(y) ? Json() : Json(y)});
+  return all;
+}
+
 Json json_of(const Row& row) {
   const Breaks& b = row.breaks;
-  Json curve = Json::array();
-  for (const auto& [value, error] : row.curve)
-    curve.push_back({Json(value), std::isnan(error) ? Json() : Json(error)});
   return {{"method", row.method},
           {"real", row.real},
           {"source", row.source},
+          {"status", row.unavailable.empty() ? "measured" : "renderer unavailable"},
+          {"measures", row.measures_pixels ? "pixels" : "t"},
           {"breaks",
            {{"missed", json_of(b.missed)},
             {"ulp16", json_of(b.ulp16)},
             {"e6", json_of(b.e6)},
             {"percent", json_of(b.percent)},
             {"self_shadow", json_of(b.self_shadow)}}},
-          {"cause", row.cause},
+          {"cause", row.unavailable.empty() ? row.cause : row.unavailable},
           {"remedy", row.remedy},
-          {"curve", std::move(curve)}};
+          {"curve", json_of(row.curve)},
+          {"wrong", json_of(row.wrong)}};
 }
 
 std::string cell(const std::optional<double>& value) {
@@ -62,17 +70,42 @@ const char* colour_of(double error) {
 }
 
 /// The failure as it is seen.
-std::string picture_cell(const Condition& condition, const Row& row) {
-  const std::string bytes = failure_picture(condition, row);
-  if (bytes.empty()) return "<td></td>";
+std::string picture_cell(const Row& row, const std::optional<FailurePicture>& picture) {
+  if (!row.breaks.any()) return "<td></td>";
+  if (!picture) return "<td>t of single rays</td>";
   std::array<char, 64> at{};
   std::snprintf(at.data(), at.size(), "at %.2g", *picture_value(row));
-  return "<td><img alt='" + std::string(at.data()) + "' src='data:image/png;base64," + base64(bytes) + "'> " +
-         at.data() + "</td>";
+  if (!picture->refused.empty())
+    return "<td>" + std::string(at.data()) + ": " + escaped(picture->refused) + "</td>";
+  const auto image = [](const char* what, const std::string& bytes) {
+    return "<img alt='" + std::string(what) + "' title='" + what + "' src='data:image/png;base64," +
+           base64(bytes) + "'>";
+  };
+  return "<td class=seen>" + image("as rendered", picture->seen) + image("its error", picture->errors) +
+         "<br>" + at.data() + "</td>";
 }
 
-std::string map_row(const Condition& condition, const Row& row) {
-  std::string html = "<tr><td>" + escaped(row.method) + "</td><td>" + row.real + "</td><td class=map>";
+/// Of each row of each condition; most of the time POV-Ray waits.
+std::vector<std::vector<std::optional<FailurePicture>>> pictures_of(
+    const std::vector<Condition>& conditions) {
+  std::vector<std::vector<std::optional<FailurePicture>>> pictures;
+  std::vector<std::pair<std::size_t, std::size_t>> places;
+  for (const Condition& condition : conditions) {
+    for (std::size_t row = 0; row < condition.rows.size(); ++row) places.emplace_back(pictures.size(), row);
+    pictures.emplace_back(condition.rows.size());
+  }
+  in_parallel(places.size(), 4 * static_cast<int>(std::thread::hardware_concurrency()), [&](std::size_t i) {
+    const auto [condition, row] = places[i];
+    pictures[condition][row] = failure_picture(conditions[condition], conditions[condition].rows[row]);
+  });
+  return pictures;
+}
+
+std::string map_row(const Row& row, const std::optional<FailurePicture>& picture) {
+  std::string html = "<tr><td title='" + escaped(row.source) + "'>" + escaped(row.method) + "</td><td>" +
+                     row.real + "</td><td class=map>";
+  if (!row.unavailable.empty())
+    return html + "</td><td colspan=8><b>not measured:</b> " + escaped(row.unavailable) + "</td></tr>\n";
   for (const auto& [value, error] : row.curve) {
     std::array<char, 160> box{};
     std::snprintf(box.data(), box.size(), "<i style='background:%s' title='%.3g: error %.1e'></i>",
@@ -83,7 +116,7 @@ std::string map_row(const Condition& condition, const Row& row) {
   html += "</td>";
   for (const auto& value : {b.missed, b.ulp16, b.e6, b.percent, b.self_shadow})
     html += "<td>" + cell(value) + "</td>";
-  html += picture_cell(condition, row);
+  html += picture_cell(row, picture);
   if (!row.breaks.any()) return html + "<td></td><td></td></tr>\n";
   return html + "<td>" + escaped(row.cause) + "</td><td>" + escaped(row.remedy) + "</td></tr>\n";
 }
@@ -106,6 +139,10 @@ std::string table_of(const std::vector<Condition>& conditions) {
     text += condition.name + ": " + condition.unit + ", first value at which a ray fails\n";
     text += line({"method", "real", "missed", "16 ulp", "1e-6", "1 %", "itself"});
     for (const Row& row : condition.rows) {
+      if (!row.unavailable.empty()) {
+        text += row.method + ": not measured: " + row.unavailable + "\n";
+        continue;
+      }
       const Breaks& b = row.breaks;
       text += line({row.method, row.real, cell(b.missed), cell(b.ulp16), cell(b.e6), cell(b.percent),
                     cell(b.self_shadow)});
@@ -120,7 +157,8 @@ std::string page_of(const std::vector<Condition>& conditions) {
       "<!DOCTYPE html><html lang=en><meta charset=utf-8><title>Where methods fail</title><style>"
       "body{font:14px sans-serif;margin:2em;color:#222}table{border-collapse:collapse;margin-bottom:2em}"
       "td,th{padding:2px 6px;text-align:left;border-bottom:1px solid #ddd}.map{white-space:nowrap}"
-      ".map i,.key i{display:inline-block;width:10px;height:16px}.key span{margin-right:1.5em}</style>"
+      ".map i,.key i{display:inline-block;width:10px;height:16px}.key span{margin-right:1.5em}"
+      ".seen{white-space:nowrap}.seen img{margin-right:2px}</style>"
       "<h1>Where methods fail</h1><p class=key>Largest error of t: ";
   for (const auto& [error, words] :
        {std::pair(0.0, "to 1e-12"), std::pair(1e-7, "to 1e-6"), std::pair(1e-3, "to 1 %"),
@@ -128,14 +166,16 @@ std::string page_of(const std::vector<Condition>& conditions) {
         std::pair(std::nan(""), "rounding leaves nothing to hit")})
     html += std::string("<span><i style='background:") + colour_of(error) + "'></i> " + words + "</span>";
   html += "</p>\n";
+  const auto pictures = pictures_of(conditions);
   for (const Condition& condition : conditions) {
     std::array<char, 64> range{};
     std::snprintf(range.data(), range.size(), " 1 to %.0e, logarithmic", condition.last);
     html += "<h2>" + condition.name + "</h2><table><tr><th>method</th><th>real</th><th>" + condition.unit +
             range.data() +
             "</th><th>missed</th><th>16 ulp</th><th>1e-6</th><th>1 %</th><th>meets itself</th>"
-            "<th>seen past it</th><th>cause</th><th>remedy</th></tr>\n";
-    for (const Row& row : condition.rows) html += map_row(condition, row);
+            "<th>seen past it, and its error</th><th>cause</th><th>remedy</th></tr>\n";
+    for (std::size_t row = 0; row < condition.rows.size(); ++row)
+      html += map_row(condition.rows[row], pictures[&condition - conditions.data()][row]);
     html += "</table>\n";
   }
   return html + "</html>\n";

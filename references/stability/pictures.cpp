@@ -1,76 +1,90 @@
 #include "references/stability/pictures.hpp"
 
-#include <cmath>
-#include <numbers>
+#include <stdexcept>
 
 #include "references/methods/method_sets.hpp"
 #include "references/report/thumbnail.hpp"
+#include "references/stability/embree.hpp"
+#include "references/stability/rendered.hpp"
+#include "references/stability/worlds.hpp"
+#include "tracer/methods/start.hpp"
+#include "tracer/textbook/rows.hpp"
+#include "tracer/textbook/tracer.hpp"
 
 namespace plumb::references::stability {
 namespace {
-
-/// A sphere and its eye, lengths in double.
-struct View {
-  Vec3d center;
-  double radius;
-  double distance;  ///< of the eye from the centre
-};
-
-std::optional<View> view_of(const std::string& condition, double v) {
-  const Vec3d beside = glm::normalize(Vec3d(1, 2, 3));
-  if (condition == "distance") return View{Vec3d(0), 1, v + 1};
-  if (condition == "small-radius") return View{beside, 1 / v, 2 + 1 / v};
-  if (condition == "scale-up") return View{v * beside, v, 3 * v};
-  if (condition == "scale-down") return View{beside / v, 1 / v, 3 / v};
-  if (condition == "offset") return View{v * beside, 1, 3};
-  return std::nullopt;
-}
-
-/// Seen from an oblique direction, lit from behind the eye, against blue.
-Scene scene_of(const View& view, Camera& camera) {
-  const Vec3d away = glm::normalize(Vec3d(0.3, 0.4, 0.866));
-  camera.eye = view.center + view.distance * away;
-  camera.direction = -away;
-  camera.fov_x_degrees = 2.4 * std::asin(view.radius / view.distance) * 180 / std::numbers::pi;
-  Scene scene;
-  Material white;
-  white.ka = white.kd = Rgbd(1);
-  scene.materials.push_back(white);
-  scene.shapes.push_back({"sphere", Sphere{view.center, view.radius, 0}, {}});
-  const Vec3d side = glm::normalize(glm::cross(away, Vec3d(0, 1, 0)));
-  scene.lights.push_back({"light", view.center + 6 * view.radius * (away + side), Rgbd(1), 0.8});
-  scene.ambient = Rgbd(0.1);
-  scene.background = Rgbd(0.25, 0.3, 0.5);
-  return scene;
-}
 
 RealType real_of(const std::string& name) {
   if (name == "float") return RealType::float32;
   return name == "double" ? RealType::float64 : RealType::long_double;
 }
 
+textbook::RenderJob job_of(const World& world, RealType real) {
+  textbook::RenderJob job;
+  job.width = job.height = 64;
+  job.options.depth = world.depth;
+  job.real = real;
+  job.threads = 1;
+  return job;
+}
+
+/// The lecture's pipeline with Embree's intersections. Where `unaware`, all that is ahead of t = 0 counts.
+Image by_embree(const World& world, bool unaware) {
+  textbook::FormulaTable<float> table;
+  table.intersect_sphere = &embree_sphere;
+  table.intersect_box = &embree_box;
+  if (unaware) table.is_ahead = &methods::ahead_of_zero<float>;
+  const textbook::ReplaceableFormulas<float> formulas(table);
+  const textbook::World<float> shapes(world.scene, formulas);
+  const textbook::RenderJob job = job_of(world, RealType::float32);
+  return textbook::render_rows(
+      textbook::Tracer<float>(shapes, world.camera, job.width, job.height, job.options), job);
+}
+
+std::optional<Image> seen_by(const Row& row, const World& world) {
+  const textbook::RenderJob job = job_of(world, real_of(row.real));
+  if (row.method.starts_with("povray"))
+    return row.method == "povray-blocks" ? by_povray_in_other_blocks()(world, job.width)
+                                         : by_povray(row.method == "povray-rescaled")(world, job.width);
+  if (row.method.starts_with("embree")) return by_embree(world, row.method == "embree-secondary");
+  const MethodSet* const set = find_method_set(row.method == "start-id" ? "lecture" : row.method);
+  if (set == nullptr) return std::nullopt;
+  return render_with_methods(*set, world.scene, world.camera, job);
+}
+
+/// Embree's own instances are not in its picture.
+bool is_seen(const Condition& condition, const Row& row) {
+  const bool places =
+      condition.name == "flattening" || condition.name == "condition-number" || condition.name == "nesting";
+  return !(places && row.method == "embree");
+}
+
 }  // namespace
 
 std::optional<double> picture_value(const Row& row) {
+  const Breaks& b = row.breaks;
   std::optional<double> first;
-  for (const auto& at : {row.breaks.missed, row.breaks.self_shadow, row.breaks.percent}) {
+  for (const auto& at : {b.missed, b.self_shadow, b.percent}) {
     if (at && (!first || *at < *first)) first = at;
   }
+  if (!first) first = b.e6 ? b.e6 : b.ulp16;
   return first ? std::optional<double>(1.5 * *first) : std::nullopt;
 }
 
-std::string failure_picture(const Condition& condition, const Row& row) {
+std::optional<FailurePicture> failure_picture(const Condition& condition, const Row& row) {
   const std::optional<double> value = picture_value(row);
-  const MethodSet* const set = find_method_set(row.method == "start-id" ? "lecture" : row.method);
-  if (!value || set == nullptr) return {};
-  const std::optional<View> view = view_of(condition.name, *value);
-  if (!view) return {};
-  Camera camera;
-  const Scene scene = scene_of(*view, camera);
-  textbook::RenderJob job;
-  job.width = job.height = 64;
-  job.real = real_of(row.real);
-  return thumbnail(render_with_methods(*set, scene, camera, job));
+  if (!value || !is_seen(condition, row)) return std::nullopt;
+  std::optional<World> world = world_of(condition.name, *value);
+  if (!world) world = close_up_of(condition.name, *value);
+  if (!world) return std::nullopt;
+  try {
+    const std::optional<Image> seen = seen_by(row, *world);
+    if (!seen) return std::nullopt;
+    const Image truth = textbook::render(world->scene, world->camera, job_of(*world, RealType::quad));
+    return FailurePicture{thumbnail(*seen), error_thumbnail(truth, *seen), {}};
+  } catch (const std::runtime_error& error) {  // the failure of some is that they make none
+    return FailurePicture{{}, {}, error.what()};
+  }
 }
 
 }  // namespace plumb::references::stability

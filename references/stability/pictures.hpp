@@ -8,10 +8,19 @@
 
 namespace plumb::references::stability {
 
-/// Where a picture is taken: 1.5 times the first value at which a row loses hits, meets itself or is 1 % off.
+/// Where a picture is taken: 1.5 times the first value at which a row loses hits, meets itself or is 1 % off;
+/// if it is never, that of the finest break there is.
 std::optional<double> picture_value(const Row& row);
 
-/// PNG of a lit sphere under the condition; empty where the row does not break, or no picture shows it.
-std::string failure_picture(const Condition& condition, const Row& row);
+/// Two PNG files, or why there are none.
+struct FailurePicture {
+  std::string seen;     ///< the scene as the method has it
+  std::string errors;   ///< its error to 113 bits: black to 1e-8, white from 1 on
+  std::string refused;  ///< what was said instead of a picture
+};
+
+/// Nothing where the row does not break, or no picture shows it: differences of t alone, conditions of single
+/// rays, and what a renderer does not do.
+std::optional<FailurePicture> failure_picture(const Condition& condition, const Row& row);
 
 }  // namespace plumb::references::stability

@@ -75,10 +75,10 @@ Real rounding_at(const Vec3<Real>& p) {
 }
 
 /// A ray leaves the sphere outward, where it must meet nothing, and inward, where it must reach the far side.
-template <class Real, auto start, auto setting>
+template <class Real, auto start, auto setting, auto intersect = &formulas::intersect_sphere<Real>>
 Trial start_trial(double value, Random& random) {
   const SphereCase<Real> c = rounded<Real>(setting(value, random), random);
-  const auto t = formulas::intersect_sphere(c.ray, c.center, c.radius, false);
+  const auto t = intersect(c.ray, c.center, c.radius, false);
   if (!t) return {.counts = false};
   const Start<Real> way = start.template of<Real>();
   const Vec3<Real> along = formulas::point_at(c.ray, *t);
@@ -88,7 +88,7 @@ Trial start_trial(double value, Random& random) {
   if (glm::dot(out, n) < 0) out = -out;
   const auto meets = [&](const Vec3<Real>& direction) {
     const Vec3<Real> origin = way.origin(p, n, direction);
-    auto hit = formulas::intersect_sphere({origin, direction}, c.center, c.radius, way.knows_its_surface);
+    auto hit = intersect({origin, direction}, c.center, c.radius, way.knows_its_surface);
     if (hit && !way.is_ahead(*hit, rounding_at(origin))) hit.reset();
     return hit;
   };

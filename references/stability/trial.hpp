@@ -7,6 +7,7 @@
 #include <numbers>
 #include <optional>
 #include <random>
+#include <stdexcept>
 
 #include "tracer/formulas/quad.hpp"
 #include "tracer/formulas/ray.hpp"
@@ -26,6 +27,26 @@ struct Trial {
 
 /// A ray of the condition at that value.
 using Experiment = std::function<Trial(double value, Random&)>;
+
+/// What became of many rays, or of all pixels of a picture, at one value: the worst of each.
+struct Outcome {
+  bool counts = false;  ///< whether there was any question to ask
+  bool missed = false;
+  bool self_shadow = false;
+  double ulps = 0;
+  double relative = 0;
+  double wrong = 0;  ///< share of those that count: rays that miss, meet themselves or are 1 % off; pixels
+                     ///< over 1e-6
+};
+
+/// Asks with so many rays, or rows of a picture. May be called from several threads. Throws Unavailable.
+using Probe = std::function<Outcome(double value, int size)>;
+
+/// Another renderer is not on this machine; the message says which, and how to get it.
+class Unavailable : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
 
 inline double uniform(Random& random) { return std::uniform_real_distribution<double>(0, 1)(random); }
 
@@ -63,8 +84,10 @@ std::optional<Quad> true_sphere_hit(const Ray<Real>& ray, const Vec3<Real>& cent
   const Quad room = Quad(radius) * Quad(radius) - gap.x * gap.x - gap.y * gap.y - gap.z * gap.z;
   if (room < 0) return std::nullopt;
   const Quad half = sqrt(room / d_d);
-  if (foot - half > 0) return foot - half;
-  return foot + half > 0 ? std::optional<Quad>(foot + half) : std::nullopt;
+  // Of a ray that starts on the sphere one of both is 0, but for the rounding of their sum: 113 bits of it.
+  const Quad zero = Quad(0x1p-100) * (abs(foot) + half);
+  if (foot - half > zero) return foot - half;
+  return foot + half > zero ? std::optional<Quad>(foot + half) : std::nullopt;
 }
 
 /// The first t > 0 on a box: of all six planes, those points that lie within the other four, exactly.

@@ -37,8 +37,8 @@ const std::map<std::string, std::set<std::string>>& allowed() {
        {"tracer/formulas", "tracer/scene", "tracer/image", "references", "references/diagnosis",
         "references/faults", "references/report"}},
       {"references/stability",
-       {"tracer/formulas", "tracer/scene", "tracer/image", "tracer/methods", "references",
-        "references/methods", "references/report"}},
+       {"tracer/formulas", "tracer/scene", "tracer/image", "tracer/textbook", "tracer/methods", "exporters",
+        "references", "references/methods", "references/report"}},
       {"references/methods",
        {"tracer/formulas", "tracer/scene", "tracer/image", "tracer/textbook", "tracer/methods"}},
       {"references/metrics", {"tracer/engine"}},  // its choice of vectors alone

@@ -115,12 +115,23 @@ Span<Real> span_by_reciprocals(const Ray<Real>& ray, const Corners<Real>& box) {
 }
 
 /// Slabs by the sign of 1/d, no case for zero (Williams, Barrus, Morley, Shirley, "An Efficient and Robust
-/// Ray-Box Intersection Algorithm", JGT 10, 2005). A plane through the origin of a parallel ray is 0 times
-/// infinity, which every comparison passes by.
+/// Ray-Box Intersection Algorithm", JGT 10, 2005), comparison by comparison: the x slab is taken as it is. So
+/// an x plane through the origin of a ray across x, 0 times infinity, stays in the span, and the box is lost;
+/// in y and z every comparison passes it by.
 template <class Real>
 std::optional<FaceHit<Real>> box_williams(const Ray<Real>& ray, const Corners<Real>& box, Face start) {
   if (moves_away(ray, start)) return std::nullopt;
-  return span_by_reciprocals(ray, box).first_hit(start);
+  Span<Real> span;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Real per_d = 1 / ray.direction[axis];
+    const bool ascends = per_d >= 0;
+    const Real near_t = ((ascends ? box.min[axis] : box.max[axis]) - ray.origin[axis]) * per_d;
+    const Real far_t = ((ascends ? box.max[axis] : box.min[axis]) - ray.origin[axis]) * per_d;
+    if (span.enter.t > far_t || near_t > span.leave.t) return std::nullopt;
+    if (axis == 0 || near_t > span.enter.t) span.enter = {near_t, 2 * axis + (ascends ? 0 : 1)};
+    if (axis == 0 || far_t < span.leave.t) span.leave = {far_t, 2 * axis + (ascends ? 1 : 0)};
+  }
+  return span.first_hit(start);
 }
 
 /// The same with the far side padded by 2 ulp, so that rounding loses no hit (Ize, "Robust BVH Ray

@@ -1,0 +1,24 @@
+// Small scenes, each under one condition, for renderers that make whole pictures.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "tracer/scene/scene.hpp"
+
+namespace plumb::references::stability {
+
+struct World {
+  Scene scene;
+  Camera camera;
+  int depth = 8;  ///< of reflections
+};
+
+/// A picture that is under the condition as a whole; nothing where a condition is one of single rays.
+std::optional<World> world_of(const std::string& condition, double value);
+
+/// Where the rays of such a condition are seen: an edge or a silhouette from nearby. Nothing where no picture
+/// shows it, or not at that value.
+std::optional<World> close_up_of(const std::string& condition, double value);
+
+}  // namespace plumb::references::stability
