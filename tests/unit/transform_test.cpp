@@ -9,6 +9,7 @@
 #include <glm/matrix.hpp>
 
 #include "tests/support/reals.hpp"
+#include "tracer/formulas/quad.hpp"
 #include "tracer/scene/scene.hpp"
 
 namespace plumb {
@@ -263,6 +264,39 @@ TYPED_TEST(TransformFormula, TheInverseOfAProductTakesEveryPointBack) {
     // + sqrt(3) * 5 = 87 units, and the inverse enlarges them by up to 1 / 0.3^2.
     expect_near(back, Vec3<Exact>(p), tests::ulps<Real>(2 * 20) * 87 / 0.09);
   }
+}
+
+/// Turns, moves and scales to and fro.
+std::vector<TransformStep> long_chain(int links) {
+  std::vector<TransformStep> steps;
+  for (int i = 0; i < links; ++i) {
+    steps.emplace_back(Rotate{37.0 * i + 5, {1, 2.0 + i % 3, -0.5}});
+    steps.emplace_back(Scale{Vec3d(i % 2 == 0 ? 2 : 0.5)});
+    steps.emplace_back(Translate{{0.3, -0.2, 0.1 * (i % 7)}});
+  }
+  return steps;
+}
+
+template <class Real>
+double worst_entry_in_eps(const Mat4<Real>& m, const Mat4<Quad>& exact) {
+  Quad worst = 0, largest = 0;
+  for (int column = 0; column < 4; ++column) {
+    for (int row = 0; row < 4; ++row) {
+      worst = std::max(worst, abs(Quad(m[column][row]) - exact[column][row]));
+      largest = std::max(largest, abs(exact[column][row]));
+    }
+  }
+  return static_cast<double>(worst / largest) / static_cast<double>(std::numeric_limits<Real>::epsilon());
+}
+
+TEST(Transform, AChainOfHundredsIsRoundedOnce) {
+  const auto steps = long_chain(300);
+  const Transform<Quad> exact = transform_of<Quad>(steps);
+  // because rounding once leaves 0.5, and the wider type 900 times 2^-11
+  EXPECT_LE(worst_entry_in_eps(transform_of<double>(steps).matrix, exact.matrix), 1);
+  EXPECT_LE(worst_entry_in_eps(transform_of<double>(steps).inverse, exact.inverse), 1);
+  EXPECT_LE(worst_entry_in_eps(transform_of<float>(steps).matrix, exact.matrix), 0.51);
+  EXPECT_GT(worst_entry_in_eps(product_of<double>(steps).matrix, exact.matrix), 1) << "the test cannot fail";
 }
 
 TYPED_TEST(TransformFormula, TheInverseIsWhatGaussJordanWouldFind) {

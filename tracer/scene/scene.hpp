@@ -126,7 +126,7 @@ const MaterialId* material_of(const Shape& shape);
 
 /// M and M^-1 of successive steps in any real type, each inverse from the inverse of the part.
 template <class Real>
-Transform<Real> transform_of(const std::vector<TransformStep>& steps) {
+Transform<Real> product_of(const std::vector<TransformStep>& steps) {
   Transform<Real> all;
   for (const TransformStep& step : steps) {
     const Transform<Real> one = std::visit(
@@ -144,6 +144,28 @@ Transform<Real> transform_of(const std::vector<TransformStep>& steps) {
     all = formulas::compose(one, all);
   }
   return all;
+}
+
+/// What products of transforms are taken in, so that a chain of thousands is rounded once.
+template <class Real>
+struct ProductIn {
+  using Type = Real;
+};
+template <>
+struct ProductIn<float> {
+  using Type = double;
+};
+template <>
+struct ProductIn<double> {
+  using Type = long double;
+};
+
+/// The same, rounded to Real at the end.
+template <class Real>
+Transform<Real> transform_of(const std::vector<TransformStep>& steps) {
+  if (steps.size() < 2) return product_of<Real>(steps);
+  const auto all = product_of<typename ProductIn<Real>::Type>(steps);
+  return {Mat4<Real>(all.matrix), Mat4<Real>(all.inverse)};
 }
 
 /// A camera after its transform: what the slide "Kameratransformation" starts from.
