@@ -29,7 +29,7 @@ struct Row {
       curve;  ///< value, largest relative error; 1 for a lost or false hit, NaN where rounding
   ///< the inputs left no true hit to ask for
   std::vector<std::pair<double, double>> wrong;  ///< value, share of rays or pixels that are wrong
-  bool measures_pixels = false;                  ///< of whole pictures (1e-6 linear), not t of single rays
+  std::string measures;                          ///< "t", "direction" or "point" of rays, or "pixels"
   std::string unavailable;                       ///< why nothing was measured: a renderer is missing
 };
 

@@ -51,12 +51,12 @@ Probe of_rays(Experiment experiment) {
 
 /// `make` gives the experiment in a real type.
 template <class Make>
-Method method(const Words& words, Make make) {
+Method method(const Words& words, Make make, Measure measures = Measure::t) {
   return {words.id,
           words.source,
           words.cause,
           words.remedy,
-          false,
+          measures,
           {{"float", of_rays(make(Is<float>())), ""},
            {"double", of_rays(make(Is<double>())), ""},
            {"long-double", of_rays(make(Is<long double>())), ""}}};
@@ -67,12 +67,13 @@ Method by_embree(const char* id, const char* source, Experiment experiment) {
           source,
           "24 bits of a float, and the reciprocals of the hierarchy",
           "doubles, or coordinates near the object",
-          false,
+          Measure::t,
           {{"float", of_rays(std::move(experiment)), embree_version()}}};
 }
 
 Method pictures(const Words& words, const char* real, const std::string& renderer, Probe probe) {
-  return {words.id, words.source, words.cause, words.remedy, true, {{real, std::move(probe), renderer}}};
+  return {words.id,     words.source,    words.cause,
+          words.remedy, Measure::pixels, {{real, std::move(probe), renderer}}};
 }
 
 constexpr const char* absolute = "its tolerances are absolute: depth 1e-6, nearest hit 1e-4, shadow 1e-3";
@@ -250,7 +251,7 @@ std::vector<Method> transforms() {
 
 /// Whole pictures by the lecture's formulas, where no single ray shows the condition.
 void add_lecture_pictures(ConditionEntry& entry) {
-  Method method{lecture.id, lecture.source, lecture.cause, lecture.remedy, true, {}};
+  Method method{lecture.id, lecture.source, lecture.cause, lecture.remedy, Measure::pixels, {}};
   for (const auto& [name, real] :
        {std::pair("float", RealType::float32), std::pair("double", RealType::float64),
         std::pair("long-double", RealType::long_double)})
@@ -293,25 +294,29 @@ std::vector<ConditionEntry> conditions_of_rays() {
            1e18,
            false,
            400,
-           {method({"lecture", "Heckbert 1989", "1 + 1/v is rounded", "a wider real type"},
-                   []<class R>(Is<R>) { return &index_near_one<R>; })}},
+           {method(
+               {"lecture", "Heckbert 1989", "1 + 1/v is rounded", "a wider real type"},
+               []<class R>(Is<R>) { return &index_near_one<R>; }, Measure::direction)}},
           {"critical-angle",
            "1 / angle below the critical",
            1e18,
            false,
            400,
-           {method({"lecture", "Heckbert 1989", "1 - ratio^2 sin^2 cancels", "a wider real type"},
-                   []<class R>(Is<R>) { return &near_critical<R>; })}},
+           {method(
+               {"lecture", "Heckbert 1989", "1 - ratio^2 sin^2 cancels", "a wider real type"},
+               []<class R>(Is<R>) { return &near_critical<R>; }, Measure::direction)}},
           {"recursion",
            "depth",
            256,
            true,
            100,
-           {method({"lecture", "the lecture", "errors add up from mirror to mirror", "a wider real type"},
-                   []<class R>(Is<R>) { return &reflections<R, true>; }),
-            method({"normal-as-it-is", "a common mistake",
-                    "a normal's wrong length grows from mirror to mirror", "normalise every normal"},
-                   []<class R>(Is<R>) { return &reflections<R, false>; })}}};
+           {method(
+                {"lecture", "the lecture", "errors add up from mirror to mirror", "a wider real type"},
+                []<class R>(Is<R>) { return &reflections<R, true>; }, Measure::point),
+            method(
+                {"normal-as-it-is", "a common mistake", "a normal's wrong length grows from mirror to mirror",
+                 "normalise every normal"},
+                []<class R>(Is<R>) { return &reflections<R, false>; }, Measure::point)}}};
 }
 
 }  // namespace

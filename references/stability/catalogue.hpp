@@ -17,7 +17,7 @@ struct Variant {
 
 struct Method {
   std::string id, source, cause, remedy;
-  bool makes_pictures;  ///< its probe counts pixels, not rays
+  Measure measures;
   std::vector<Variant> variants;
 };
 

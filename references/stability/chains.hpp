@@ -22,9 +22,12 @@ inline Steps nested(double v) {
   Random random(7);
   Steps steps;
   for (int i = 0; i < static_cast<int>(v); ++i) {
-    steps.push_back(Rotate{360 * uniform(random), unit_vector(random)});
-    steps.push_back(Scale{Vec3<double>(i % 2 == 0 ? 2 : 0.5)});
-    steps.push_back(Translate{unit_vector(random)});
+    if (i % 3 == 0)
+      steps.push_back(Rotate{360 * uniform(random), unit_vector(random)});
+    else if (i % 3 == 1)
+      steps.push_back(Scale{Vec3<double>(i % 2 == 0 ? 2 : 0.5)});
+    else
+      steps.push_back(Translate{unit_vector(random)});
   }
   return steps;
 }
@@ -33,7 +36,15 @@ template <class Real>
 struct Placed {
   Transform<Real> here;
   Transform<Quad> exact;
+  double size;  ///< of its longest axis
 };
+
+inline double longest_axis(const Mat4<Quad>& matrix) {
+  double longest = 0;
+  for (int axis = 0; axis < 3; ++axis)
+    longest = std::max(longest, static_cast<double>(glm::length(Vec3<Quad>(matrix[axis]))));
+  return longest;
+}
 
 /// Places what has been placed at that value before only once: chains are long.
 template <class Real, auto place, auto steps>
@@ -42,7 +53,8 @@ const Placed<Real>& placed_at(double value) {
   const auto found = known.find(value);
   if (found != known.end()) return found->second;
   const Steps all = steps(value);
-  return known[value] = {place(all), transform_of<Quad>(all)};
+  const Transform<Quad> exact = transform_of<Quad>(all);
+  return known[value] = {place(all), exact, longest_axis(exact.matrix)};
 }
 
 template <class Real>
@@ -59,16 +71,29 @@ std::optional<Real> with_unit_direction(const Placed<Real>& placed, const Ray<Re
   return t;
 }
 
-/// A ray toward a unit sphere that the matrix has moved; t counts in the world.
+/// The cosine at which a ray meets the moved unit sphere at t, all in 113 bits.
+inline double incidence(const Transform<Quad>& exact, const Ray<Quad>& world, const Ray<Quad>& in_object,
+                        Quad t) {
+  const Vec3<Quad> n =
+      glm::normalize(formulas::transform_normal(exact.inverse, formulas::point_at(in_object, t)));
+  return std::abs(static_cast<double>(glm::dot(n, glm::normalize(world.direction))));
+}
+
+/// A ray toward a unit sphere that the matrix has moved, from beyond it; t counts in the world. Rays that
+/// graze do not count: that is a condition of its own, and rounding a rotation alone moves their hits.
 template <class Real, auto place, auto steps, auto intersect>
 Trial placed_trial(double value, Random& random) {
+  constexpr double clear = 0.3;
   const Placed<Real>& m = placed_at<Real, place, steps>(value);
   const Vec3<Quad> on_it = formulas::transform_point(m.exact.matrix, Vec3<Quad>(0.9 * unit_vector(random)));
-  const Vec3<Quad> eye = on_it + Vec3<Quad>(3.0 * unit_vector(random));
+  const Vec3<Quad> eye = on_it + Vec3<Quad>(3 * m.size * unit_vector(random));
   const Ray<Real> ray{Vec3<Real>(eye), glm::normalize(Vec3<Real>(on_it - eye))};
-  const Ray<Quad> exact =
-      formulas::transform_ray(m.exact.inverse, Ray<Quad>{Vec3<Quad>(ray.origin), Vec3<Quad>(ray.direction)});
-  return judged(intersect(m, ray), true_sphere_hit<Quad>(exact, Vec3<Quad>(0), Quad(1)));
+  const Ray<Quad> world{Vec3<Quad>(ray.origin), Vec3<Quad>(ray.direction)};
+  const Ray<Quad> exact = formulas::transform_ray(m.exact.inverse, world);
+  const auto truth = true_sphere_hit<Quad>(exact, Vec3<Quad>(0), Quad(1));
+  Trial trial = judged(intersect(m, ray), truth);
+  trial.counts = trial.counts && incidence(m.exact, world, exact, *truth) > clear;
+  return trial;
 }
 
 /// How far a refracted direction is off, as a share of the bend; lost when only one of both is reflected.
@@ -81,9 +106,7 @@ Trial refraction(const Vec3<Real>& d, const Vec3<Real>& n, Real ratio, double un
   trial.counts = truth.has_value();
   trial.missed = !found;
   if (!truth || !found) return trial;
-  const double error = static_cast<double>(glm::length(Vec3<Quad>(*found) - *truth));
-  trial.relative = error / unit;
-  trial.ulps = error / static_cast<double>(std::numeric_limits<Real>::epsilon());
+  trial.relative = static_cast<double>(glm::length(Vec3<Quad>(*found) - *truth)) / unit;
   return trial;
 }
 
@@ -128,7 +151,6 @@ Trial reflections(double depth, Random& random) {
   Trial trial;
   trial.missed = !(found.x == found.x);
   trial.relative = trial.missed ? 0 : static_cast<double>(glm::length(Vec3<Quad>(found) - truth));
-  trial.ulps = trial.relative / static_cast<double>(std::numeric_limits<Real>::epsilon());
   return trial;
 }
 

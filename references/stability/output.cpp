@@ -27,7 +27,7 @@ Json json_of(const Row& row) {
           {"real", row.real},
           {"source", row.source},
           {"status", row.unavailable.empty() ? "measured" : "renderer unavailable"},
-          {"measures", row.measures_pixels ? "pixels" : "t"},
+          {"measures", row.measures},
           {"breaks",
            {{"missed", json_of(b.missed)},
             {"ulp16", json_of(b.ulp16)},
@@ -72,7 +72,7 @@ const char* colour_of(double error) {
 /// The failure as it is seen.
 std::string picture_cell(const Row& row, const std::optional<FailurePicture>& picture) {
   if (!row.breaks.any()) return "<td></td>";
-  if (!picture) return "<td>t of single rays</td>";
+  if (!picture) return "<td>" + row.measures + " of single rays</td>";
   std::array<char, 64> at{};
   std::snprintf(at.data(), at.size(), "at %.2g", *picture_value(row));
   if (!picture->refused.empty())
@@ -159,7 +159,7 @@ std::string page_of(const std::vector<Condition>& conditions) {
       "td,th{padding:2px 6px;text-align:left;border-bottom:1px solid #ddd}.map{white-space:nowrap}"
       ".map i,.key i{display:inline-block;width:10px;height:16px}.key span{margin-right:1.5em}"
       ".seen{white-space:nowrap}.seen img{margin-right:2px}</style>"
-      "<h1>Where methods fail</h1><p class=key>Largest error of t: ";
+      "<h1>Where methods fail</h1><p class=key>Largest error of t, of a direction, a point or a pixel: ";
   for (const auto& [error, words] :
        {std::pair(0.0, "to 1e-12"), std::pair(1e-7, "to 1e-6"), std::pair(1e-3, "to 1 %"),
         std::pair(0.1, "more"), std::pair(1.0, "hit lost, or false"),

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -20,13 +21,14 @@ class Sweeper {
   Sweeper(const Probe& probe, const ConditionEntry& entry, bool makes_pictures, bool quick)
       : probe_(probe),
         entry_(entry),
+        makes_pictures_(makes_pictures),
         size_(makes_pictures ? (quick ? 48 : 64) : std::max(10, quick ? entry.rays / 8 : entry.rays)),
         points_(quick ? 13 : 37),
         steps_(makes_pictures ? 4 : 6) {}
 
   void fill(Row& row) {
     const std::vector<double> all = values();
-    if (row.measures_pixels) fetch(all);
+    if (makes_pictures_) fetch(all);
     for (const double value : all) {
       const Outcome& o = at(value);
       constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -35,9 +37,8 @@ class Sweeper {
                                                                 : std::min(1.0, o.relative));
       row.wrong.emplace_back(value, o.counts ? o.wrong : nan);
     }
-    const bool in_ulps = !row.measures_pixels;  // pictures are float32
     row.breaks.missed = first(row.curve, [](const Outcome& o) { return o.missed; });
-    row.breaks.ulp16 = first(row.curve, [&](const Outcome& o) { return in_ulps && o.ulps > 16; });
+    row.breaks.ulp16 = first(row.curve, [](const Outcome& o) { return o.ulps > 16; });
     row.breaks.e6 = first(row.curve, [](const Outcome& o) { return o.relative > 1e-6; });
     row.breaks.percent = first(row.curve, [](const Outcome& o) { return o.relative > 0.01; });
     row.breaks.self_shadow = first(row.curve, [](const Outcome& o) { return o.self_shadow; });
@@ -87,6 +88,7 @@ class Sweeper {
 
   const Probe& probe_;
   const ConditionEntry& entry_;
+  bool makes_pictures_;
   int size_;
   int points_;
   int steps_;  ///< 6: 2 % of a decade, finer than the spread between seeds; 4: 7 %, as a picture takes long
@@ -104,6 +106,11 @@ std::vector<ConditionEntry> chosen(const std::string& name) {
   throw std::invalid_argument("--condition: found '" + name + "', expected one of " + names);
 }
 
+const char* name_of(Measure measure) {
+  constexpr std::array<const char*, 4> names{"t", "direction", "point", "pixels"};
+  return names.at(static_cast<std::size_t>(measure));
+}
+
 /// A row to be measured, and where it goes.
 struct Task {
   const ConditionEntry* entry;
@@ -116,7 +123,8 @@ void measure(const Task& task, const Kept& kept, bool quick) {
   Row& row = *task.row;
   if (kept.find(task.entry->name, task.variant->renderer, row)) return;
   try {
-    Sweeper(task.variant->probe, *task.entry, row.measures_pixels, quick).fill(row);
+    const bool makes_pictures = task.method->measures == Measure::pixels;
+    Sweeper(task.variant->probe, *task.entry, makes_pictures, quick).fill(row);
   } catch (const Unavailable& missing) {
     row.unavailable = missing.what();
     return;
@@ -144,7 +152,7 @@ std::vector<Condition> stability(const Sweep& sweep) {
                                   method.remedy,
                                   {},
                                   {},
-                                  method.makes_pictures,
+                                  name_of(method.measures),
                                   {}});
     }
     found.push_back(std::move(condition));
@@ -158,7 +166,8 @@ std::vector<Condition> stability(const Sweep& sweep) {
     }
   }
   // Those that wait for another program begin first.
-  std::stable_partition(tasks.begin(), tasks.end(), [](const Task& t) { return t.row->measures_pixels; });
+  std::stable_partition(tasks.begin(), tasks.end(),
+                        [](const Task& t) { return t.method->measures == Measure::pixels; });
   const Kept kept(sweep.cache, sweep.quick);
   std::mutex mutex;
   std::size_t done = 0;

@@ -21,12 +21,15 @@ struct Trial {
   bool counts = true;  ///< false: rounding the inputs left no question to ask
   bool missed = false;
   bool self_shadow = false;
-  double ulps = 0;      ///< error of t in units in the last place of the real type
-  double relative = 0;  ///< error of t
+  double ulps = 0;      ///< error of t in units in the last place of the real type; 0 of other measures
+  double relative = 0;  ///< error as a share: of t, of the bend, of the unit
 };
 
 /// A ray of the condition at that value.
 using Experiment = std::function<Trial(double value, Random&)>;
+
+/// What a probe counts, and what its error is one of.
+enum class Measure { t, direction, point, pixels };
 
 /// What became of many rays, or of all pixels of a picture, at one value: the worst of each.
 struct Outcome {
