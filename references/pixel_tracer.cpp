@@ -21,8 +21,8 @@ Colour rounded(const Rgbd& c) {
 
 }  // namespace
 
-double cost_of_ray(const Scene& scene, textbook::InstanceId instances) {
-  return (units_of_shading + static_cast<double>(instances)) * static_cast<double>(1 + scene.lights.size());
+double cost_of_ray(textbook::InstanceId instances) {
+  return units_of_shading + static_cast<double>(instances);
 }
 
 RayLimit::RayLimit(double units_of_ray, Work& work)
@@ -33,6 +33,10 @@ bool RayLimit::ray_begins(textbook::RayKind, const Ray<double>&, int) const {
   return ++*rays_ <= most_rays_of_pixel;
 }
 
+void RayLimit::is_lit_by(std::size_t, const textbook::LightSeen<double>& seen) const {
+  if (seen.counts) work_->spend(units_of_ray_);
+}
+
 bool RayLimit::take_is_cut() const { return std::exchange(*rays_, 0) > most_rays_of_pixel; }
 
 PixelTracer::PixelTracer(Scene scene, const AttributionJob& job, const RenderOptions& options, Work& work,
@@ -40,7 +44,7 @@ PixelTracer::PixelTracer(Scene scene, const AttributionJob& job, const RenderOpt
     : scene_(std::move(scene)),
       world_(scene_, formulas),
       work_(work),
-      units_of_ray_(cost_of_ray(scene_, world_.instances())),
+      units_of_ray_(cost_of_ray(world_.instances())),
       limit_(units_of_ray_, work),
       tracer_(world_, job.camera, job.reference.width, job.reference.height, options, limit_),
       recording_(world_, job.camera, job.reference.width, job.reference.height, options, recorder_) {
@@ -56,7 +60,7 @@ std::optional<Colour> PixelTracer::at(const AttributedPixel& p) const {
 RayNode PixelTracer::tree_of(const AttributedPixel& p) const {
   recording_.raycast(p.x, p.y);
   RayNode tree = recorder_.take();
-  work_.spend(units_of_ray_ * rays_of(tree));
+  work_.spend(units_of_ray_ * rays_of(tree) * static_cast<double>(1 + scene_.lights.size()));
   return tree;
 }
 

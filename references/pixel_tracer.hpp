@@ -28,8 +28,8 @@ class Work {
   double left_;
 };
 
-/// What a ray costs, with those to the lights.
-double cost_of_ray(const Scene& scene, textbook::InstanceId instances);
+/// What a ray costs, be it to a light.
+double cost_of_ray(textbook::InstanceId instances);
 
 /// Ends a pixel that has too many rays, and counts the work.
 class RayLimit : public textbook::NoObserver<double> {
@@ -38,6 +38,7 @@ class RayLimit : public textbook::NoObserver<double> {
   RayLimit(double units_of_ray, Work& work);
 
   bool ray_begins(textbook::RayKind, const Ray<double>&, int depth) const;
+  void is_lit_by(std::size_t light, const textbook::LightSeen<double>& seen) const;
   /// Whether the pixel was ended since the last call.
   bool take_is_cut() const;
 

@@ -54,7 +54,7 @@ std::vector<float> colours_with(const Scene& scene, const Camera& camera, const 
                                 const std::vector<PixelPlace>& places, Work& work) {
   const Subject subject = subject_with(scene, camera, job, faults);
   const textbook::World<double> world(subject.scene, subject.formulas);
-  const RayLimit limit(cost_of_ray(subject.scene, world.instances()), work);
+  const RayLimit limit(cost_of_ray(world.instances()), work);
   const LimitedTracer tracer(world, subject.camera, job.width, job.height, subject.job.options, limit);
   const auto trace = [&](const PixelPlace& place, float* to) {
     const Rgbd colour = tracer.raycast(place.x, place.y);
