@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <stdexcept>
 
@@ -11,16 +12,34 @@ namespace {
 
 constexpr float levels = 255;
 constexpr double most_units_of_survey = 8e6;  // a fifth of a second
-constexpr double most_units_in_all = 2.5e8;   // 7 s
+constexpr double most_units_in_all = 4e8;     // 7 s at most, half of it as a rule
 
-/// The largest difference of the three channels, in levels. What is no number on both sides agrees.
-float difference(const float* colour, const float* seen, const OutputEncoding& encoding) {
+/// The largest difference of the three channels, in levels, from what an encoding leaves unrounded. What is
+/// no number on both sides agrees.
+float difference(const float* unrounded, const float* seen, const OutputEncoding& encoding) {
   float largest = 0;
   for (int channel = 0; channel < 3; ++channel) {
-    const float level = encoding.level(colour[encoding.is_bgr ? 2 - channel : channel]);
+    const float level = encoding.rounded(unrounded[encoding.is_bgr ? 2 - channel : channel]);
     largest = std::max(largest, std::abs(level - seen[channel]));
   }
   return std::isfinite(largest) ? largest : levels;
+}
+
+std::vector<float> unrounded(const float* colours, std::size_t count, const OutputEncoding& encoding) {
+  std::vector<float> all(count);
+  std::transform(colours, colours + count, all.begin(), [&](float c) { return encoding.unrounded(c); });
+  return all;
+}
+
+/// ln(1 + d), from a table where d is a number of levels.
+double log_of(float difference) {
+  static const std::vector<double> known = [] {
+    std::vector<double> logs;
+    for (int d = 0; d < 256; ++d) logs.push_back(std::log1p(d));
+    return logs;
+  }();
+  const auto whole = static_cast<std::size_t>(std::min(difference, levels));
+  return static_cast<float>(whole) == difference ? known[whole] : std::log1p(difference);
 }
 
 /// Chatterjee's coefficient of y as a function of x, with ties of y; what is no number in x is told apart
@@ -127,20 +146,22 @@ std::vector<float> Evidence::colours(const FaultSet& set, const std::vector<Pixe
   }
 }
 
-double Evidence::misfit(const std::vector<float>& colours, const OutputEncoding& encoding) const {
+double Evidence::misfit(const std::vector<float>& unrounded, const OutputEncoding& encoding) const {
   double sum = 0;
-  const std::size_t count = colours.size() / 3;
-  for (std::size_t i = 0; i < count; ++i) {
-    sum += std::log1p(difference(&colours[3 * i], seen(index_of(places_[i])), encoding));
-  }
+  const std::size_t count = unrounded.size() / 3;
+  for (std::size_t i = 0; i < count; ++i)
+    sum += log_of(difference(&unrounded[3 * i], seen(index_of(places_[i])), encoding));
   return count == 0 ? 0 : sum / static_cast<double>(count);
 }
 
 Fit Evidence::fit(const FaultSet& set, std::size_t most) const {
   const std::vector<float> traced = colours(set, first(most));
   Fit best{set, encodings_.front(), std::numeric_limits<double>::infinity(), 0};
+  std::map<std::pair<bool, Curve>, std::vector<float>> known;
   for (const OutputEncoding& encoding : encodings_) {
-    const double misfit = this->misfit(traced, encoding);
+    auto& levels_of = known[{encoding.tone_map, encoding.curve}];
+    if (levels_of.empty()) levels_of = unrounded(traced.data(), traced.size(), encoding);
+    const double misfit = this->misfit(levels_of, encoding);
     if (misfit < best.misfit) best = {set, encoding, misfit, 0};
   }
   best.association = association(traced);
@@ -177,16 +198,18 @@ double Evidence::association(const std::vector<float>& colours) const {
 
 std::vector<float> Evidence::differences_at(const Fit& fit, const std::vector<PixelPlace>& places) const {
   const std::vector<float> traced = colours(fit.set, places);
+  const std::vector<float> found = unrounded(traced.data(), traced.size(), fit.encoding);
   std::vector<float> all(places.size());
   for (std::size_t i = 0; i < all.size(); ++i)
-    all[i] = difference(&traced[3 * i], seen(index_of(places[i])), fit.encoding);
+    all[i] = difference(&found[3 * i], seen(index_of(places[i])), fit.encoding);
   return all;
 }
 
 std::vector<float> Evidence::differences(const Fit& fit) const {
   const Image image = render_with(scene_, camera_, job_, faults_of(fit.set));
+  const std::vector<float> found = unrounded(image.rgb.data(), image.rgb.size(), fit.encoding);
   std::vector<float> all(seen_.size() / 3);
-  for (std::size_t i = 0; i < all.size(); ++i) all[i] = difference(&image.rgb[3 * i], seen(i), fit.encoding);
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = difference(&found[3 * i], seen(i), fit.encoding);
   return all;
 }
 

@@ -73,7 +73,7 @@ class Evidence {
  private:
   std::vector<PixelPlace> first(std::size_t most) const;
   std::size_t index_of(const PixelPlace& place) const;
-  double misfit(const std::vector<float>& colours, const OutputEncoding& encoding) const;
+  double misfit(const std::vector<float>& unrounded, const OutputEncoding& encoding) const;
   double association(const std::vector<float>& colours) const;
 
   const Scene& scene_;

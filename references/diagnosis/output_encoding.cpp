@@ -18,9 +18,11 @@ float curved(float c, Curve curve) {
 
 }  // namespace
 
-float OutputEncoding::level(float colour) const {
-  const float mapped = tone_map ? tone_mapped(colour) : colour;
-  const float level = most * curved(mapped, curve);
+float OutputEncoding::unrounded(float colour) const {
+  return most * curved(tone_map ? tone_mapped(colour) : colour, curve);
+}
+
+float OutputEncoding::rounded(float level) const {
   if (std::isnan(level)) return 0;
   if (is_float) return level;
   return std::clamp(std::floor(rounds ? level + 0.5F : level), 0.0F, most);

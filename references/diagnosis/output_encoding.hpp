@@ -21,7 +21,10 @@ struct OutputEncoding {
   /// 2.2 for either curve.
   double gamma() const { return curve == Curve::linear ? 1 : 2.2; }
   /// The level of a linear colour; that of a NaN is 0.
-  float level(float colour) const;
+  float level(float colour) const { return rounded(unrounded(colour)); }
+  /// In two steps, the first of which is the dear one and the same for every rounding and order of channels.
+  float unrounded(float colour) const;
+  float rounded(float level) const;
   /// e.g. "tone-mapped, truncated to 8 bits"
   std::string in_words() const;
   bool operator==(const OutputEncoding&) const = default;
