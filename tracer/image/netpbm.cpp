@@ -39,7 +39,9 @@ class Tokens {
     Number value{};
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc() || end != text.data() + text.size()) {
-      fail("found '" + std::string(text.substr(0, 20)) + "', expected a number");
+      std::string shown(text.substr(0, 20));
+      for (char& c : shown) c = c >= ' ' && c <= '~' ? c : '?';
+      fail("found '" + shown + "', expected a number");
     }
     return value;
   }
