@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <optional>
 #include <set>
 
 namespace plumb::references {
@@ -42,20 +43,49 @@ class Search {
     std::vector<Fit> beam{{}};
     look_again(beam);
     if (beam.front().misfit <= nothing_left) return beam.front();
-    choose_telling_pixels();
+    learn_effects({});
     look_again(beam);
     Fit best = polished(climbed(beam));
     if (best.misfit <= nothing_left) return best;
+    share_ = 0.6;
+    if (const auto view = best_view(best)) {
+      learn_effects(view->set);
+      keep_better(polished(climbed({*view})), best);
+    }
+    // Of two faults that hide each other none is found alone: pairs are tried, first beside nothing.
     share_ = 0.85;
-    std::vector<Fit> seeds = pairs();
-    if (seeds.empty()) return best;
-    const Fit from_pairs = polished(climbed(std::move(seeds)));
-    best = evidence_.fit(best.set, evidence_.pixels());
-    return cost(from_pairs) < cost(best) ? from_pairs : best;
+    for (FaultSet beside{}; best.misfit > nothing_left && !is_over(); beside = best.set) {
+      if (!beside.empty()) learn_effects(beside);
+      std::vector<Fit> seeds = pairs(beside);
+      if (seeds.empty()) break;
+      const bool is_better = keep_better(polished(climbed(std::move(seeds))), best);
+      if (!is_better && (!beside.empty() || best.set.empty())) break;
+    }
+    return best;
   }
 
  private:
   bool is_over() const { return evidence_.is_over(share_); }
+
+  bool keep_better(const Fit& other, Fit& best) const {
+    best = evidence_.fit(best.set, evidence_.pixels());
+    const bool is_better = cost(other) < cost(best);
+    if (is_better) best = other;
+    return is_better;
+  }
+
+  /// One fault with which the right points are seen in most pixels, if it tells so better than the best: of a
+  /// wrong view the colours are looked for from there, because other faults are seen in other places.
+  std::optional<Fit> best_view(const Fit& best) const {
+    constexpr double clear = 0.1;  // because chance moves the coefficient by 1 / sqrt(pixels), 0.04
+    std::optional<Fit> found;
+    for (std::size_t fault = 0; fault < has_effect_.size(); ++fault) {
+      if (!has_effect_[fault]) continue;
+      const Fit fit = evidence_.fit({fault}, evidence_.pixels());
+      if (fit.association > (found ? found->association : best.association + clear)) found = fit;
+    }
+    return found;
+  }
 
   /// The best set that is reached by one more fault at a time, refined.
   Fit climbed(std::vector<Fit> beam) {
@@ -67,6 +97,7 @@ class Search {
       if (next.empty()) break;
       beam = std::move(next);
       const bool gains = beam.front().misfit < best.misfit - gain_of(beam.front(), best);
+      if (gains) learn_effects(beam.front().set);  // a fault may be seen beside another alone
       look_again(beam);
       patience = gains ? 2 : patience - 1;
       best = gains ? beam.front() : evidence_.fit(best.set, evidence_.pixels());
@@ -74,19 +105,21 @@ class Search {
     return refined(best);
   }
 
-  /// A few pixels for each fault that it changes in the right picture: highlights and shadows are small, and
-  /// evenly spread pixels may miss them.
-  void choose_telling_pixels() {
+  /// A few pixels for each fault that it changes in the picture of this set: highlights and shadows are
+  /// small, and evenly spread pixels may miss them.
+  void learn_effects(const FaultSet& beside) {
     const std::vector<PixelPlace> places = spread(evidence_.width(), evidence_.height(), 2 * even_);
-    const std::vector<float> right = evidence_.colours({}, places);
+    const std::vector<float> before = evidence_.colours(beside, places);
     std::vector<std::vector<std::size_t>> changed(has_effect_.size());
     for (std::size_t fault = 0; fault < has_effect_.size(); ++fault) {
-      const std::vector<float> wrong = evidence_.colours({fault}, places);
+      if (std::binary_search(beside.begin(), beside.end(), fault)) continue;
+      const std::vector<float> after = evidence_.colours(with(beside, fault), places);
       for (std::size_t i = 0; i < places.size(); ++i) {
-        if (!std::equal(&right[3 * i], &right[3 * i] + 3, &wrong[3 * i])) changed[fault].push_back(i);
+        if (!std::equal(&before[3 * i], &before[3 * i] + 3, &after[3 * i])) changed[fault].push_back(i);
       }
-      has_effect_[fault] = !changed[fault].empty();
+      has_effect_[fault] = has_effect_[fault] || !changed[fault].empty();
     }
+    telling_.clear();
     std::set<std::size_t> taken;
     for (std::size_t round = 0; round < telling_of_fault; ++round) {
       for (const std::vector<std::size_t>& of_fault : changed) {
@@ -154,13 +187,17 @@ class Search {
     return best_of(std::move(fits), beam.front().set.empty() ? first_beam_width : beam_width);
   }
 
-  /// The most promising pairs of faults: of two that hide each other, as of brightness and of ambient light,
-  /// each alone makes it worse.
-  std::vector<Fit> pairs() const {
+  /// The most promising pairs of faults to add: of two that hide each other, as of brightness and of ambient
+  /// light, each alone makes it worse.
+  std::vector<Fit> pairs(const FaultSet& beside) const {
+    const auto is_free = [&](std::size_t fault) {
+      return has_effect_[fault] && !std::binary_search(beside.begin(), beside.end(), fault);
+    };
     std::vector<Fit> pairs;
     for (std::size_t a = 0; a < has_effect_.size(); ++a) {
-      for (std::size_t b = a + 1; has_effect_[a] && b < has_effect_.size(); ++b) {
-        if (has_effect_[b]) pairs.push_back(evidence_.fit({a, b}, glance));
+      if (!is_free(a) || is_over()) continue;
+      for (std::size_t b = a + 1; b < has_effect_.size(); ++b) {
+        if (is_free(b)) pairs.push_back(evidence_.fit(with(with(beside, a), b), glance));
       }
     }
     pairs = leading(std::move(pairs), 3 * screened);
@@ -232,14 +269,16 @@ class Search {
     return needed(best);
   }
 
-  /// Without the faults that right no pixel.
+  /// Without the faults that right no more pixels than float rounds.
   Fit needed(Fit best) const {
+    constexpr double rounded_pixels = least_wrong;
+    const double rounded = rounded_pixels / static_cast<double>(evidence_.pixels_of_picture());
     double right = share_right(best, evidence_.survey());
     for (std::size_t i = 0; i < best.set.size();) {
-      Fit less = best;
-      less.set = without(best.set, best.set[i]);
+      // In its own encoding: tone-mapped in the program or in the file, the picture is the same.
+      const Fit less = evidence_.fit(without(best.set, best.set[i]), evidence_.pixels());
       const double still_right = share_right(less, evidence_.survey());
-      if (still_right >= right) {
+      if (still_right >= right - rounded) {
         best = less;
         right = still_right;
       } else {
@@ -306,7 +345,7 @@ class Search {
 
   Evidence& evidence_;
   std::size_t even_;
-  double share_ = 0.45;  // of the work, for what is done now: some is left for pairs, and for polishing
+  double share_ = 0.4;  // of the work, for what is done now: some is left for pairs, and for polishing
   std::vector<bool> has_effect_;  // of the faults
   std::vector<PixelPlace> telling_;
 };

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "tests/support/random_scene.hpp"
 #include "tests/support/run.hpp"
 #include "tracer/engine/render.hpp"
 #include "tracer/image/encode.hpp"
@@ -83,6 +84,32 @@ TEST(Diagnose, OneFaultIsNamed) {
 TEST(Diagnose, TwoFaultsOfWhichNeitherAloneExplainsAnythingAreNamed) {
   EXPECT_EQ(ids_of(diagnosis_of("combined-mirror-room.sdf", {"background-as-ambient", "brightness-ignored"})),
             (Ids{"background-as-ambient", "brightness-ignored"}));
+}
+
+/// Of a random scene, in the size of the course.
+Ids ids_in_random_scene(unsigned seed, const Ids& there) {
+  const auto random = tests::random_scene(seed);
+  textbook::RenderJob job = small_job();
+  job.width = 240;
+  job.height = 160;
+  job.options = random.options;
+  std::vector<const Fault*> faults;
+  for (const std::string& id : there) faults.push_back(find_fault(id));
+  const Camera& camera = random.scene.cameras.front();
+  const Image image = render_with(random.scene, camera, job, faults);
+  return ids_of(diagnose(random.scene, camera, job, as_file(image, plumb::Encoding::course)));
+}
+
+TEST(Diagnose, AFaultThatShowsBesideAnotherAloneIsNamed) {
+  // The boxes are out of the right view.
+  EXPECT_EQ(ids_in_random_scene(51018, {"box-normals-inverted"}), Ids{});
+  const Ids both{"box-normals-inverted", "field-of-view-vertical"};
+  EXPECT_EQ(ids_in_random_scene(51018, both), both);
+}
+
+TEST(Diagnose, APictureToneMappedOnceIsNotSaidToBeTwice) {
+  const Ids there{"box-face-by-equality", "camera-without-effect", "normal-not-renormalised"};
+  EXPECT_EQ(ids_in_random_scene(51034, there), there);
 }
 
 TEST(Diagnose, WhatCannotBeToldApartIsSaid) {

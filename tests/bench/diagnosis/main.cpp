@@ -25,6 +25,7 @@ struct Options {
   int width = 480;
   int height = 320;
   bool is_told = false;
+  std::string only;  ///< kind of pictures; empty: all
 };
 
 RenderJob job_of(const Options& options, const RenderOptions& render) {
@@ -64,6 +65,7 @@ class Experiment {
         random_(tests::random_scene(seed)),
         camera_(random_.scene.cameras.front()),
         job_(job_of(options, random_.options)),
+        seed_(seed),
         choose_(seed) {}
 
   /// A picture with so many faults, each of which can be seen in it.
@@ -90,7 +92,13 @@ class Experiment {
     job.options = other.options;
     const Image image = engine::render(other.scene, other.scene.cameras.front(), job);
     const Diagnosis found = diagnosed(as_written(image), tally);
-    tally.verdicts += found.verdict == references::PictureVerdict::unexplained ? 1 : 0;
+    const bool abstains = found.verdict == references::PictureVerdict::unexplained;
+    tally.verdicts += abstains ? 1 : 0;
+    if (!options_.is_told) return;
+    std::fprintf(stderr, "another scene, seed %u: %s, explained %.3f:", seed, to_string(found.verdict),
+                 found.explained);
+    for (const FoundFault& f : found.faults) std::fprintf(stderr, " %s(%zu)", f.fault->id.data(), f.pixels);
+    std::fprintf(stderr, ", %zu pixels over\n", found.pixels_over);
   }
 
  private:
@@ -158,7 +166,8 @@ class Experiment {
     if (!is_exact && options_.is_told) tell(there, found);
   }
 
-  static void tell(const std::vector<const Fault*>& there, const Diagnosis& found) {
+  void tell(const std::vector<const Fault*>& there, const Diagnosis& found) const {
+    std::fprintf(stderr, "seed %u: ", seed_);
     for (const Fault* fault : there) std::fprintf(stderr, "%s ", fault->id.data());
     std::fprintf(stderr, "-> %s:", to_string(found.verdict));
     for (const FoundFault& f : found.faults) std::fprintf(stderr, " %s(%zu)", f.fault->id.data(), f.pixels);
@@ -169,6 +178,7 @@ class Experiment {
   tests::RandomScene random_;
   const Camera& camera_;
   RenderJob job_;
+  unsigned seed_;
   std::mt19937 choose_;
 };
 
@@ -185,10 +195,11 @@ int run(const Options& options) {
   for (int i = 0; i < options.scenes; ++i) {
     const unsigned seed = options.seed + static_cast<unsigned>(i);
     Experiment experiment(options, seed);
-    experiment.with_faults(1, single);
-    experiment.with_faults(2 + static_cast<std::size_t>(i % 3), several);
-    experiment.right(right);
-    experiment.of_another_scene(seed + 100'000, other);
+    const auto is_asked = [&](const char* kind) { return options.only.empty() || options.only == kind; };
+    if (is_asked("one")) experiment.with_faults(1, single);
+    if (is_asked("several")) experiment.with_faults(2 + seed % 3, several);
+    if (is_asked("right")) experiment.right(right);
+    if (is_asked("other")) experiment.of_another_scene(seed + 100'000, other);
   }
   std::printf(
       "| faults | pictures | first, %% | in three, %% | exact set, %% | really there, %% | CPU s | slowest "
@@ -213,6 +224,8 @@ int main(int argc, char** argv) {
   app.add_option("--scenes", options.scenes, "random scenes, four pictures of each")->capture_default_str();
   app.add_option("--width", options.width)->capture_default_str();
   app.add_option("--height", options.height)->capture_default_str();
+  app.add_option("--only", options.only, "one kind of pictures")
+      ->check(CLI::IsMember({"one", "several", "right", "other"}));
   app.add_flag("--tell", options.is_told, "say on standard error which sets were not found");
   CLI11_PARSE(app, argc, argv);
   return plumb::run(options);
