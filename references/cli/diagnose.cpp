@@ -7,6 +7,7 @@
 #include "references/cli/diagnose_report.hpp"
 #include "references/cli/options.hpp"
 #include "references/cli/report.hpp"
+#include "references/diagnosis/json.hpp"
 #include "references/teaching/tell_apart.hpp"
 #include "tracer/image/io.hpp"
 #include "tracer/scene/reader.hpp"
@@ -26,15 +27,6 @@ struct Options {
 };
 
 std::string text_of(std::string_view view) { return std::string(view); }
-
-Json to_json(const references::FoundFault& found) {
-  return {{"id", found.fault->id},
-          {"catalogue", found.fault->catalogue},
-          {"title", found.fault->explanation},
-          {"slide", found.fault->slide},
-          {"confidence", found.confidence},
-          {"pixels", found.pixels}};
-}
 
 std::vector<TellApart> scenes_that_tell_apart(const references::Diagnosis& diagnosis) {
   std::vector<TellApart> all;
@@ -62,26 +54,11 @@ Json to_json(const std::vector<TellApart>& tell_apart) {
 
 Json to_json(const Options& options, const references::Diagnosis& diagnosis,
              const std::vector<TellApart>& tell_apart) {
-  Json faults = Json::array();
-  Json ambiguous = Json::array();
-  for (const references::FoundFault& found : diagnosis.faults) {
-    faults.push_back(to_json(found));
-    for (const references::Fault* other : found.alike) ambiguous.push_back({found.fault->id, other->id});
-  }
-  return {{"tool", "plumb"},
-          {"version", PLUMB_VERSION},
-          {"scene", options.scene},
-          {"image", options.image},
-          {"verdict", to_string(diagnosis.verdict)},
-          {"faults", faults},
-          {"ambiguous", ambiguous},
-          {"tell_apart", to_json(tell_apart)},
-          {"encoding",
-           {{"tone_map", diagnosis.encoding.tone_map},
-            {"gamma", diagnosis.encoding.gamma()},
-            {"rounding", diagnosis.encoding.rounds ? "round" : "truncate"},
-            {"flipped", diagnosis.is_flipped}}},
-          {"remaining", {{"rms", diagnosis.rms}, {"pixels_over_2_255", diagnosis.pixels_over}}}};
+  Json json{
+      {"tool", "plumb"}, {"version", PLUMB_VERSION}, {"scene", options.scene}, {"image", options.image}};
+  json.update(references::to_json(diagnosis, 3));
+  json["tell_apart"] = to_json(tell_apart);
+  return json;
 }
 
 /// 1 names the slide alone, 2 also what is wrong there, 3 the formula, too.

@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "references/diagnosis/json.hpp"
 #include "references/junit.hpp"
 
 namespace plumb::references {
@@ -26,18 +27,6 @@ std::string fault_list(const JudgedPicture& picture, HintLevel hint) {
   return list;
 }
 
-Json fault_json(const FoundFault& found, HintLevel hint) {
-  const Fault& fault = *found.fault;
-  Json json{{"slide", fault.slide}, {"confidence", found.confidence}, {"pixels", found.pixels}};
-  if (hint >= 2) json["title"] = fault.explanation;
-  if (hint < 3) return json;
-  json["id"] = fault.id;
-  json["catalogue"] = fault.catalogue;
-  json["wrong"] = fault.wrong;
-  json["right"] = fault.right;
-  return json;
-}
-
 Json picture_json(const JudgedPicture& picture, HintLevel hint) {
   Json json{{"submission", picture.submission},
             {"scene", picture.scene},
@@ -46,11 +35,9 @@ Json picture_json(const JudgedPicture& picture, HintLevel hint) {
             {"wall_seconds", picture.wall_seconds}};
   if (!picture.printed.empty()) json["printed"] = picture.printed;
   if (!picture.diagnosis) return json;
-  json["faults"] = Json::array();
-  for (const FoundFault& found : picture.diagnosis->faults) json["faults"].push_back(fault_json(found, hint));
-  json["encoding"] = picture.diagnosis->encoding.in_words();
-  json["remaining"] = {{"rms", picture.diagnosis->rms},
-                       {"pixels_over_2_255", picture.diagnosis->pixels_over}};
+  Json diagnosis = to_json(*picture.diagnosis, hint);
+  diagnosis.erase("verdict");
+  json.update(diagnosis);
   return json;
 }
 

@@ -23,7 +23,8 @@ std::string overview_csv(const std::vector<JudgedPicture>& all, HintLevel hint);
 /// A suite with a case per picture.
 std::string overview_junit(const std::vector<JudgedPicture>& all, HintLevel hint);
 
-/// Writes index.html, and a page per submission, each by itself enough. Throws std::runtime_error.
+/// Writes index.html, a page per submission, and at level 3 faults.html with a lesson on each fault found.
+/// Throws std::runtime_error.
 void write_overview(const std::string& directory, const std::vector<JudgedPicture>& all, HintLevel hint);
 
 }  // namespace plumb::references

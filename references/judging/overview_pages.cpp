@@ -1,5 +1,6 @@
 #include <filesystem>
 #include <map>
+#include <set>
 
 #include "references/judging/overview.hpp"
 #include "references/report/escape.hpp"
@@ -22,8 +23,16 @@ td small{display:block;opacity:.85;max-width:22rem}.tag{padding:.1rem .5rem;bord
 .pictures{max-width:64rem}pre{background:var(--raised);padding:.6rem;overflow:auto;max-height:14rem;white-space:pre-wrap}
 )";
 
+/// Beside the pages of submissions: what was found in any, each with its formulas and a pair of pictures.
+constexpr const char* lessons_page = "faults.html";
+
 std::string definition(std::string_view term, std::string_view text) {
   return "<dt>" + html_escaped(term) + "</dt><dd>" + html_escaped(text) + "</dd>\n";
+}
+
+std::string lesson_link(const Fault& fault) {
+  const std::string id = html_escaped(fault.id);
+  return "<a href=\"" + std::string(lessons_page) + "#" + id + "\">" + id + "</a>";
 }
 
 std::string fault_text(const FoundFault& found, HintLevel hint) {
@@ -31,9 +40,10 @@ std::string fault_text(const FoundFault& found, HintLevel hint) {
   std::string text = "<dl>\n" + definition("slide", fault.slide);
   if (hint >= 2) text += definition("mistake", fault.explanation);
   if (hint >= 3) {
-    text += definition("found", fault.wrong) + definition("right", fault.right) + definition("id", fault.id);
+    text += definition("found", fault.wrong) + definition("right", fault.right);
+    text += "<dt>lesson</dt><dd>" + lesson_link(fault) + "</dd>\n";
     for (const Fault* other : found.alike)
-      text += definition("or", std::string(other->id) + ": the same picture here");
+      text += "<dt>or</dt><dd>" + lesson_link(*other) + ": the same picture here</dd>\n";
   }
   return text + definition("pixels", std::to_string(found.pixels)) + "</dl>\n";
 }
@@ -79,6 +89,23 @@ std::string summary(const std::vector<JudgedPicture>& all) {
   return text + "</p>\n";
 }
 
+/// All faults of which a page names one, in the catalogue's order.
+std::string lessons(const std::vector<JudgedPicture>& all) {
+  std::set<const Fault*> found;
+  for (const JudgedPicture& picture : all) {
+    if (!picture.diagnosis || picture.verdict != Judged::faults) continue;
+    for (const FoundFault& one : picture.diagnosis->faults) {
+      found.insert(one.fault);
+      found.insert(one.alike.begin(), one.alike.end());
+    }
+  }
+  std::string text;
+  for (const Fault& fault : fault_catalogue()) {
+    if (found.contains(&fault)) text += teaching::section_of(fault, PLUMB_SOURCE_DIRECTORY "/tests/scenes");
+  }
+  return text;
+}
+
 /// Numbered, so that no name of a submission becomes one of a file.
 std::string page_name(std::size_t number) { return "submission-" + std::to_string(number + 1) + ".html"; }
 
@@ -108,6 +135,14 @@ void write_overview(const std::string& directory, const std::vector<JudgedPictur
                    name, "<p><a href=\"index.html\">all submissions</a></p><p>" + score + "</p>\n" + sections,
                    style));
   }
+  // Lessons show formulas, which are told at the last level alone: an earlier run's are taken away.
+  const std::string text = hint >= 3 ? lessons(all) : "";
+  if (text.empty())
+    std::filesystem::remove(directory + "/" + lessons_page);
+  else
+    write_file(
+        directory + "/" + lessons_page,
+        teaching::page("What was found", "<p><a href=\"index.html\">all submissions</a></p>\n" + text));
   write_file(directory + "/index.html",
              teaching::page("Tracers judged by plumb",
                             summary(all) + "<table><thead>" + head + "</tr></thead><tbody>\n" + rows +

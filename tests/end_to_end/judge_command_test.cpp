@@ -154,6 +154,28 @@ TEST_F(JudgeCommand, PicturesOfAClass) {
   EXPECT_EQ(pictures[2]["verdict"], "no-image");
 }
 
+TEST_F(JudgeCommand, TheReportLinksTheLessonOfEachFault) {
+  fs::create_directories(workplace_.path("pictures"));
+  ASSERT_EQ(run_plumb({"render", "scenes/s.sdf", "--fault", "ka-kd-swapped", "-o", "pictures/s.ppm"},
+                      workplace_.directory())
+                .exit_code,
+            0);
+  const Outcome told = judge({"--images", "pictures", "--report", "report", "--json", "-"});
+  ASSERT_EQ(told.exit_code, 1) << told.err;
+  EXPECT_TRUE(contains(read_file(workplace_.path("report/submission-1.html")),
+                       "<a href=\"faults.html#ka-kd-swapped\">"));
+  EXPECT_TRUE(contains(read_file(workplace_.path("report/faults.html")), "<section id=ka-kd-swapped>"));
+  const Json picture = Json::parse(told.out)["pictures"][0];
+  EXPECT_EQ(picture["faults"][0]["id"], "ka-kd-swapped");
+  EXPECT_EQ(picture["encoding"],
+            Json::parse(R"({"tone_map":true,"gamma":1.0,"rounding":"truncate","flipped":false})"));
+  // A teacher who tells less leaves no formulas of an earlier run.
+  const Outcome hinted = judge({"--images", "pictures", "--report", "report", "--hint", "2", "--json", "-"});
+  ASSERT_EQ(hinted.exit_code, 1) << hinted.err;
+  EXPECT_FALSE(fs::exists(workplace_.path("report/faults.html")));
+  EXPECT_FALSE(contains(hinted.out, "ka-kd-swapped")) << hinted.out;
+}
+
 TEST_F(JudgeCommand, WithoutBubblewrapNothingRuns) {
   const std::string touch = "/bin/touch " + workplace_.path("ran") + " {scene}";
   const Outcome outcome = run_plumb({"judge", "--scenes", "scenes", "--renderer", touch},

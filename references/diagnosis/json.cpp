@@ -1,0 +1,41 @@
+#include "references/diagnosis/json.hpp"
+
+namespace plumb::references {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json to_json(const FoundFault& found, int hint) {
+  const Fault& fault = *found.fault;
+  Json json;
+  if (hint >= 3) json = {{"id", fault.id}, {"catalogue", fault.catalogue}};
+  if (hint >= 2) json["title"] = fault.explanation;
+  json["slide"] = fault.slide;
+  json["confidence"] = found.confidence;
+  json["pixels"] = found.pixels;
+  if (hint < 3) return json;
+  json["wrong"] = fault.wrong;
+  json["right"] = fault.right;
+  return json;
+}
+
+}  // namespace
+
+Json to_json(const Diagnosis& diagnosis, int hint) {
+  Json faults = Json::array();
+  Json ambiguous = Json::array();
+  for (const FoundFault& found : diagnosis.faults) {
+    faults.push_back(to_json(found, hint));
+    for (const Fault* other : found.alike) ambiguous.push_back({found.fault->id, other->id});
+  }
+  Json json{{"verdict", to_string(diagnosis.verdict)}, {"faults", faults}};
+  if (hint >= 3) json["ambiguous"] = ambiguous;
+  json["encoding"] = {{"tone_map", diagnosis.encoding.tone_map},
+                      {"gamma", diagnosis.encoding.gamma()},
+                      {"rounding", diagnosis.encoding.rounds ? "round" : "truncate"},
+                      {"flipped", diagnosis.is_flipped}};
+  json["remaining"] = {{"rms", diagnosis.rms}, {"pixels_over_2_255", diagnosis.pixels_over}};
+  return json;
+}
+
+}  // namespace plumb::references
