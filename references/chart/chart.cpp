@@ -25,7 +25,7 @@ namespace {
 
 constexpr double tolerance = 1e-6;      // that of plumb verify
 constexpr double least_seconds = 0.02;  // of one measurement: a thousand times the clock's resolution
-constexpr double most_seconds = 5;      // what took longer in all is not run again: it varies little
+constexpr double most_seconds = 1.5;    // what took longer in all is not run again: it varies little
 /// What is done after the truths and after the errors, of a scene's work: for progress alone.
 constexpr double truths_end = 0.25, errors_end = 0.4;
 

@@ -78,7 +78,7 @@ PovrayJob povray_job(const ChartView& view, const std::vector<std::string>& argu
 }
 
 Configuration povray_way(const Povray& povray, std::string id, std::string title, PovrayOutput output,
-                         std::vector<std::string> arguments) {
+                         const std::vector<std::string>& arguments) {
   Configuration way;
   way.id = way.work = "povray-" + std::move(id);
   way.title = "POV-Ray, " + std::move(title);
