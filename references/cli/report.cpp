@@ -45,17 +45,6 @@ constexpr references::Verdict all_verdicts[] = {
     references::Verdict::ours_wrong, references::Verdict::reference_wrong, references::Verdict::both_wrong,
     references::Verdict::undecided};
 
-/// E.g. "ours wrong 0, reference wrong 12, both wrong 0, undecided 3".
-std::string judgement_text(const references::Judgement& judgement) {
-  std::string text;
-  for (const references::Verdict verdict : all_verdicts) {
-    std::string name = to_string(verdict);
-    std::replace(name.begin(), name.end(), '_', ' ');
-    text += formatted("%s%s %zu", text.empty() ? "" : ", ", name.c_str(), judgement.count(verdict));
-  }
-  return text;
-}
-
 /// What the scene has none of differs by nothing; what could not be compared has no figures.
 Json to_json(const references::TermResult& t) {
   if (t.in_scene && !t.comparison)
@@ -76,6 +65,16 @@ Json flip_json(const references::Flip& flip) {
 }
 
 }  // namespace
+
+std::string judgement_text(const references::Judgement& judgement) {
+  std::string text;
+  for (const references::Verdict verdict : all_verdicts) {
+    std::string name = to_string(verdict);
+    std::replace(name.begin(), name.end(), '_', ' ');
+    text += formatted("%s%s %zu", text.empty() ? "" : ", ", name.c_str(), judgement.count(verdict));
+  }
+  return text;
+}
 
 Json scene_json(const SceneResult& r) {
   Json json{{"scene", r.scene},

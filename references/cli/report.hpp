@@ -18,6 +18,9 @@ Json to_json(const references::Comparison& comparison);
 /// The pixels of each cause; the sum is pixels_over.
 Json to_json(const references::Budget& budget);
 
+/// E.g. "ours wrong 0, reference wrong 12, both wrong 0, undecided 3".
+std::string judgement_text(const references::Judgement& judgement);
+
 /// The pixels of each verdict, those not judged, and "pixels": x, y, verdict, ours, reference, oracle of
 /// each.
 Json to_json(const references::Judgement& judgement);

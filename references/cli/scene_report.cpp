@@ -1,8 +1,10 @@
 #include "references/cli/scene_report.hpp"
 
+#include <algorithm>
 #include <map>
 
 #include "references/approve.hpp"
+#include "tracer/scene/writer.hpp"
 
 namespace plumb::cli {
 namespace {
@@ -10,14 +12,25 @@ namespace {
 using references::PixelNote;
 using references::SceneResult;
 
-/// A note for each pixel over, with its rays where they were kept.
+std::string judged_text(const references::JudgedPixel& p) {
+  std::string verdict = references::to_string(p.verdict);
+  std::replace(verdict.begin(), verdict.end(), '_', ' ');
+  return "in 113 bits: " + verdict + "; the scene as written gives " + to_text(p.oracle.x) + " " +
+         to_text(p.oracle.y) + " " + to_text(p.oracle.z) + "\n";
+}
+
+/// A note for each pixel over, with who is wrong where that was asked, and its rays where they were kept.
 std::vector<PixelNote> notes_of(const SceneResult& result) {
+  std::map<std::pair<int, int>, std::string> judged;
+  if (result.judgement)
+    for (const references::JudgedPixel& p : result.judgement->pixels) judged[{p.x, p.y}] = judged_text(p);
   std::map<std::pair<int, int>, std::string> rays;
   for (const auto& [place, text] : result.pictures->explanations) rays[{place.x, place.y}] = text;
   std::vector<PixelNote> notes;
   for (const references::AttributedPixel& p : result.budget.pixels) {
     const auto found = rays.find({p.x, p.y});
-    notes.push_back({p.x, p.y, references::to_string(p.cause), found == rays.end() ? "" : found->second});
+    notes.push_back({p.x, p.y, references::to_string(p.cause),
+                     judged[{p.x, p.y}] + (found == rays.end() ? "" : found->second)});
   }
   return notes;
 }
@@ -26,6 +39,10 @@ std::vector<PixelNote> notes_of(const SceneResult& result) {
 Json shown_result(const SceneResult& result, double tolerance) {
   Json json = scene_json(result);
   json["tolerance"] = tolerance;
+  json.erase("judgement");  // its pixels are in their notes
+  if (result.judgement && result.comparison.pixels_over > 0)
+    json["message"] = result.message + (result.message.empty() ? "" : "\n") +
+                      "judged in 113 bits: " + judgement_text(*result.judgement);
   if (result.not_compared.empty()) return json;
   const Json figures = to_json(result.comparison);
   for (const auto& [figure, value] : figures.items()) json.erase(figure);

@@ -77,5 +77,12 @@ TEST(JudgeOption, HasALineInTheTableWhereSomethingDiffers) {
   EXPECT_FALSE(contains(same.out, "judged")) << "nothing differs: " << same.out;
 }
 
+TEST(JudgeOption, IsOnTheReportsPage) {
+  const Workplace workplace;
+  verify(workplace, "refraction.sdf", {"--real", "float", "--judge", "--report", "report"});
+  const std::string page = read_file(workplace.path("report/index.html"));
+  EXPECT_TRUE(contains(page, "judged in 113 bits: ours wrong "));
+}
+
 }  // namespace
 }  // namespace plumb::tests
