@@ -235,6 +235,21 @@ TEST(SceneReader, NegativeColoursAreReadWithAWarning) {
   EXPECT_TRUE(any_contains(warnings(text), "f:1:17: warning: kd of 'a' is negative"));
 }
 
+TEST(SceneReader, ColoursThatCountTo255AreReadWithAWarning) {
+  const std::string text = "define material a 0 0 0 255 0 0 0 0 0 1\ndefine light l 0 0 0 255 255 255 1\n";
+  EXPECT_EQ(read(text).materials.at(0).kd, Rgbd(255, 0, 0));
+  EXPECT_TRUE(any_contains(warnings(text), "f:1:17: warning: kd of 'a' is 255, where 1 is white"));
+  EXPECT_TRUE(any_contains(warnings(text), "f:2:14: warning: colour of 'l' is 255"));
+  EXPECT_FALSE(any_contains(warnings("define light l 0 0 0 1 1 1 50\n"), "white"));
+}
+
+TEST(SceneReader, AnIndexWithoutTransmissionIsReadWithAWarning) {
+  EXPECT_TRUE(any_contains(warnings("define material a 0 0 0 1 0 0 0 0 0 1 eta 1.5\n"),
+                           "f:1:17: warning: eta of 'a' has no effect"));
+  EXPECT_FALSE(
+      any_contains(warnings("define material a 0 0 0 1 0 0 0 0 0 1 transmit 1 1 1 eta 1.5\n"), "eta"));
+}
+
 // --- names ---------------------------------------------------------------------------------------
 
 TEST(SceneReader, NamesMayBeUsedBeforeTheyAreDefined) {

@@ -1,6 +1,9 @@
 #include "tracer/scene/line.hpp"
 
+#include <algorithm>
 #include <cmath>
+
+#include "tracer/scene/writer.hpp"
 
 namespace plumb {
 
@@ -47,9 +50,16 @@ void Line::unknown_word(const Token& token, const std::string& expected,
 }
 
 void Line::not_negative(const Token& name, const Rgbd& colour, const char* what) {
-  if (colour.x < 0 || colour.y < 0 || colour.z < 0) {
+  if (colour.x < 0 || colour.y < 0 || colour.z < 0)
     warning(name, std::string(what) + " of " + in_quotes(name.text) + " is negative: it takes light away");
-  }
+}
+
+void Line::not_to_255(const Token& name, const Rgbd& colour, const char* what) {
+  constexpr double most = 10;  // because 1 is white, and nobody was seen to ask for more than 5
+  const double largest = std::max({colour.x, colour.y, colour.z});
+  if (largest > most)
+    warning(name, std::string(what) + " of " + in_quotes(name.text) + " is " + to_text(largest) +
+                      ", where 1 is white: if it counts to 255, divide by 255");
 }
 
 std::optional<std::vector<double>> Line::numbers(const Tokens& tokens, std::size_t first) {

@@ -39,6 +39,8 @@ class Line {
   void unknown_word(const Token& token, const std::string& expected,
                     const std::vector<std::string_view>& known);
   void not_negative(const Token& name, const Rgbd& colour, const char* what);
+  /// Warns of a colour that seems to count to 255.
+  void not_to_255(const Token& name, const Rgbd& colour, const char* what);
 
   /// All tokens from `first` as numbers; nothing, with one error, if one of them is none.
   std::optional<std::vector<double>> numbers(const Tokens& tokens, std::size_t first);

@@ -70,6 +70,7 @@ void read_light(Line& line, const Token& keyword, Tokens& tokens) {
   made.name = name->text;
   if (const auto values = line.numbers(tokens, 0)) light_numbers(line, *name, *values, made);
   line.not_negative(*name, made.intensity(), "intensity");
+  line.not_to_255(*name, made.color, "colour");
   line.draft().scene.lights.push_back(made);
 }
 

@@ -123,11 +123,20 @@ void read_material(Line& line, const Token& keyword, Tokens& tokens) {
   const Tokens keywords = split_off_keywords(tokens);
   if (const auto values = line.numbers(tokens, 0)) material_numbers(line, *name, *values, made);
   material_keywords(line, keywords, made);
-  line.not_negative(*name, made.ka, "ka");
-  line.not_negative(*name, made.kd, "kd");
-  line.not_negative(*name, made.ks, "ks");
-  line.not_negative(*name, made.mirror, "mirror");
-  line.not_negative(*name, made.transmit, "transmit");
+  const std::pair<const char*, Rgbd> colours[] = {{"ka", made.ka},
+                                                  {"kd", made.kd},
+                                                  {"ks", made.ks},
+                                                  {"mirror", made.mirror},
+                                                  {"transmit", made.transmit}};
+  for (const auto& [what, colour] : colours) {
+    line.not_negative(*name, colour, what);
+    line.not_to_255(*name, colour, what);
+  }
+  const bool names_eta =
+      std::any_of(keywords.begin(), keywords.end(), [](const Token& t) { return t.text == "eta"; });
+  if (names_eta && !made.transmits())
+    line.warning(*name, "eta of " + in_quotes(name->text) +
+                            " has no effect: it transmits nothing; add transmit r g b");
   line.draft().scene.materials.push_back(made);
 }
 
