@@ -25,7 +25,7 @@ struct FoundFault {
 
 struct Diagnosis {
   PictureVerdict verdict = PictureVerdict::unexplained;
-  std::vector<FoundFault> faults;  ///< by effect, the largest first
+  std::vector<FoundFault> faults;  ///< by effect, the largest first; none when it is unexplained
   OutputEncoding encoding;
   bool is_flipped = false;      ///< upside-down is among the faults
   double rms = 0;               ///< of what remains, in shares of 255 levels

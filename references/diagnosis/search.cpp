@@ -18,7 +18,7 @@ constexpr std::size_t polishing = 200;  // wrong pixels, and right ones, that po
 constexpr std::size_t least_wrong = 12;
 /// because several faults may be left, each with its share of what is wrong; what float rounded is righted by
 /// none
-constexpr double least_righted = 0.25;
+constexpr double least_righted = 0.1;
 /// because what is really there spoils nothing but what another fault hides
 constexpr double price_of_spoilt = 10;
 constexpr std::size_t glance = 60;  // pixels, at pairs of faults
