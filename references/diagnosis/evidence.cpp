@@ -12,7 +12,7 @@ namespace {
 
 constexpr float levels = 255;
 constexpr double most_units_of_survey = 8e6;  // a fifth of a second
-constexpr double most_units_in_all = 4e8;     // 7 s at most, half of it as a rule
+constexpr double most_units_in_all = 3.4e8;   // 8 s at most, a quarter of it as a rule
 
 /// The largest difference of the three channels, in levels, from what an encoding leaves unrounded. What is
 /// no number on both sides agrees.

@@ -1,7 +1,7 @@
 #include "references/diagnosis/search.hpp"
 
 #include <algorithm>
-#include <cstdlib>
+#include <charconv>
 #include <optional>
 #include <set>
 
@@ -28,7 +28,11 @@ constexpr double nothing_left =
 constexpr double looks = 450;  // at all even pixels, in a search for two or three faults
 
 /// How many of the tracers that were read have the fault.
-int count_of(const Fault& fault) { return std::max(0, std::atoi(fault.how_common.data())); }
+int count_of(const Fault& fault) {
+  int count = 0;
+  std::from_chars(fault.how_common.data(), fault.how_common.data() + fault.how_common.size(), count);
+  return std::max(0, count);
+}
 
 class Search {
  public:

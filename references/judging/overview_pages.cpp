@@ -61,8 +61,9 @@ std::string section(const JudgedPicture& picture, HintLevel hint) {
     text += "<p>" + html_escaped(picture.diagnosis->encoding.in_words()) + "; " +
             std::to_string(picture.diagnosis->pixels_over) + " of " +
             std::to_string(picture.diagnosis->pixels) + " pixels remain unexplained</p>\n";
-    if (picture.verdict == Judged::faults)
+    if (picture.verdict == Judged::faults) {
       for (const FoundFault& found : picture.diagnosis->faults) text += fault_text(found, hint);
+    }
   }
   if (!picture.figures.empty()) text += "<div class=pictures>" + picture.figures + "</div>\n";
   if (!picture.printed.empty()) text += "<pre>" + html_escaped(picture.printed) + "</pre>\n";
@@ -72,11 +73,12 @@ std::string section(const JudgedPicture& picture, HintLevel hint) {
 std::string cell(const JudgedPicture& picture, const std::string& file, HintLevel hint) {
   const std::string verdict = to_string(picture.verdict);
   std::string names;
-  if (picture.diagnosis && picture.verdict == Judged::faults)
+  if (picture.diagnosis && picture.verdict == Judged::faults) {
     for (const FoundFault& found : picture.diagnosis->faults)
       names += "<small>" +
                html_escaped(hint >= 3 ? std::string(found.fault->id) : named(*found.fault, hint)) +
                "</small>";
+  }
   return "<td class=\"" + verdict + "\"><a href=\"" + file + "#" + html_escaped(picture.scene) + "\">" +
          verdict + "</a>" + names + "</td>";
 }
@@ -112,7 +114,8 @@ std::string page_name(std::size_t number) { return "submission-" + std::to_strin
 }  // namespace
 
 void write_overview(const std::string& directory, const std::vector<JudgedPicture>& all, HintLevel hint) {
-  std::filesystem::create_directories(directory);
+  const std::filesystem::path folder(directory);
+  std::filesystem::create_directories(folder);
   std::string head = "<tr><th>submission</th>";
   std::string rows;
   std::size_t number = 0;
@@ -128,26 +131,25 @@ void write_overview(const std::string& directory, const std::vector<JudgedPictur
       right += all[end].verdict == Judged::right ? 1 : 0;
     }
     const std::string score = std::to_string(right) + " of " + std::to_string(end - begin) + " right";
-    rows += "<tr><th><a href=\"" + page_name(number) + "\">" + html_escaped(name) + "</a><br><small>" +
-            score + "</small></th>" + row + "</tr>\n";
-    write_file(directory + "/" + page_name(number),
-               teaching::page(
-                   name, "<p><a href=\"index.html\">all submissions</a></p><p>" + score + "</p>\n" + sections,
-                   style));
+    const std::string file = page_name(number);
+    rows.append("<tr><th><a href=\"").append(file).append("\">").append(html_escaped(name));
+    rows.append("</a><br><small>").append(score).append("</small></th>").append(row).append("</tr>\n");
+    std::string body = "<p><a href=\"index.html\">all submissions</a></p><p>";
+    body.append(score).append("</p>\n").append(sections);
+    write_file(folder / file, teaching::page(name, body, style));
   }
   // Lessons show formulas, which are told at the last level alone: an earlier run's are taken away.
   const std::string text = hint >= 3 ? lessons(all) : "";
   if (text.empty())
-    std::filesystem::remove(directory + "/" + lessons_page);
+    std::filesystem::remove(folder / lessons_page);
   else
     write_file(
-        directory + "/" + lessons_page,
+        folder / lessons_page,
         teaching::page("What was found", "<p><a href=\"index.html\">all submissions</a></p>\n" + text));
-  write_file(directory + "/index.html",
-             teaching::page("Tracers judged by plumb",
-                            summary(all) + "<table><thead>" + head + "</tr></thead><tbody>\n" + rows +
-                                "</tbody></table>\n",
-                            style));
+  write_file(folder / "index.html", teaching::page("Tracers judged by plumb",
+                                                   summary(all) + "<table><thead>" + head +
+                                                       "</tr></thead><tbody>\n" + rows + "</tbody></table>\n",
+                                                   style));
 }
 
 }  // namespace plumb::references

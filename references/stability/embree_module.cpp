@@ -63,7 +63,8 @@ RTCRayHit hit_of(const Owned<RTCScene>& scene, const float* origin, const float*
 }
 
 float t_of(const RTCRayHit& asked) {
-  return asked.hit.geomID == RTC_INVALID_GEOMETRY_ID ? nothing : asked.ray.tfar;
+  if (asked.hit.geomID == RTC_INVALID_GEOMETRY_ID) return nothing;
+  return asked.ray.tfar;
 }
 
 }  // namespace

@@ -167,7 +167,8 @@ std::string page_of(const std::vector<Condition>& conditions) {
     html += std::string("<span><i style='background:") + colour_of(error) + "'></i> " + words + "</span>";
   html += "</p>\n";
   const auto pictures = pictures_of(conditions);
-  for (const Condition& condition : conditions) {
+  for (std::size_t i = 0; i < conditions.size(); ++i) {
+    const Condition& condition = conditions[i];
     std::array<char, 64> range{};
     std::snprintf(range.data(), range.size(), " 1 to %.0e, logarithmic", condition.last);
     html += "<h2>" + condition.name + "</h2><table><tr><th>method</th><th>real</th><th>" + condition.unit +
@@ -175,7 +176,7 @@ std::string page_of(const std::vector<Condition>& conditions) {
             "</th><th>missed</th><th>16 ulp</th><th>1e-6</th><th>1 %</th><th>meets itself</th>"
             "<th>seen past it, and its error</th><th>cause</th><th>remedy</th></tr>\n";
     for (std::size_t row = 0; row < condition.rows.size(); ++row)
-      html += map_row(condition.rows[row], pictures[&condition - conditions.data()][row]);
+      html += map_row(condition.rows[row], pictures[i][row]);
     html += "</table>\n";
   }
   return html + "</html>\n";

@@ -143,7 +143,7 @@ std::vector<Condition> stability(const Sweep& sweep) {
   for (const ConditionEntry& entry : entries) {
     Condition condition{entry.name, entry.unit, entry.last, {}};
     for (const Method& method : entry.methods) {
-      for (const Variant& variant : method.variants)
+      for (const Variant& variant : method.variants) {
         condition.rows.push_back({method.id,
                                   variant.real,
                                   method.source,
@@ -154,6 +154,7 @@ std::vector<Condition> stability(const Sweep& sweep) {
                                   {},
                                   name_of(method.measures),
                                   {}});
+      }
     }
     found.push_back(std::move(condition));
   }
