@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <utility>
 
 #include "references/diagnosis/search.hpp"
 
@@ -81,36 +80,46 @@ std::vector<const Fault*> alike(const Evidence& evidence, const Fit& fit, std::s
   return found;
 }
 
-/// Pixels of the survey that are right with the fault and not without it: within so many levels.
-template <class IsRight>
-std::size_t righted_by(const Evidence& evidence, const Fit& fit, std::size_t fault, IsRight is_right) {
+/// Pixels of the survey that are right with a fault and not without it: within two levels, and exactly.
+struct Righted {
+  std::size_t close = 0;
+  std::size_t exact = 0;
+};
+
+/// Of each fault of the fit, in its order.
+std::vector<Righted> righted_by_each(const Evidence& evidence, const Fit& fit) {
   const std::vector<float> together = evidence.differences_at(fit, evidence.survey());
-  const std::vector<float> otherwise =
-      evidence.differences_at({without(fit.set, fault), fit.encoding, 0, 0}, evidence.survey());
-  std::size_t righted = 0;
-  for (std::size_t i = 0; i < together.size(); ++i)
-    righted += is_right(together[i]) && !is_right(otherwise[i]) ? 1 : 0;
-  return righted;
+  std::vector<Righted> all;
+  for (const std::size_t fault : fit.set) {
+    const std::vector<float> otherwise =
+        evidence.differences_at({without(fit.set, fault), fit.encoding, 0, 0}, evidence.survey());
+    Righted righted;
+    for (std::size_t i = 0; i < together.size(); ++i) {
+      righted.close += is_close(together[i]) && !is_close(otherwise[i]) ? 1 : 0;
+      righted.exact += together[i] < rounding && otherwise[i] >= rounding ? 1 : 0;
+    }
+    all.push_back(righted);
+  }
+  return all;
 }
 
-/// Less what only brings wrong pixels nearer, or a few of them to their level: that may be anything.
-Fit without_idle(const Evidence& evidence, Fit fit) {
+/// Takes out what only brings wrong pixels nearer, or a few of them to their level: that may be anything.
+std::vector<Righted> without_idle(const Evidence& evidence, Fit& fit) {
   constexpr double few = 0.0005;  // because float and double disagree in up to 18 pixels of 153,600
   const auto wanted = static_cast<std::size_t>(few * static_cast<double>(evidence.survey().size()));
-  for (std::size_t i = 0; i < fit.set.size();) {
-    if (righted_by(evidence, fit, fit.set[i], is_close) > 0 ||
-        righted_by(evidence, fit, fit.set[i], [](float d) { return d < rounding; }) > wanted)
-      ++i;
-    else
-      fit.set = without(fit.set, fit.set[std::exchange(i, 0)]);
+  for (;;) {
+    std::vector<Righted> righted = righted_by_each(evidence, fit);
+    const auto idle = std::find_if(righted.begin(), righted.end(),
+                                   [&](const Righted& r) { return r.close == 0 && r.exact <= wanted; });
+    if (idle == righted.end()) return righted;
+    fit.set.erase(fit.set.begin() + (idle - righted.begin()));
   }
-  return fit;
 }
 
-FoundFault found_fault(const Evidence& evidence, const Fit& fit, std::size_t fault, double explained) {
+FoundFault found_fault(const Evidence& evidence, const Fit& fit, std::size_t fault, double explained,
+                       const Righted& righted) {
   FoundFault found{&fault_catalogue()[fault], 0, 0, alike(evidence, fit, fault)};
-  found.pixels =
-      righted_by(evidence, fit, fault, is_close) * evidence.pixels_of_picture() / evidence.survey().size();
+  found.pixels = righted.close * evidence.pixels_of_picture() / evidence.survey().size();
   found.confidence = explained / static_cast<double>(1 + found.alike.size());
   return found;
 }
@@ -125,15 +134,16 @@ const char* to_string(PictureVerdict verdict) {
 Diagnosis diagnose(const Scene& scene, const Camera& camera, const textbook::RenderJob& job,
                    const ImageFile& seen) {
   Evidence evidence(scene, camera, job, seen);
-  const Fit fit = without_idle(evidence, explain(evidence));
+  Fit fit = explain(evidence);
+  const std::vector<Righted> righted = without_idle(evidence, fit);
   const std::vector<float> differences = evidence.differences(fit);
   Diagnosis diagnosis;
   diagnosis.encoding = fit.encoding;
   diagnosis.explained = share_explained(evidence, differences);
   set_remaining(differences, diagnosis);
-  for (const std::size_t fault : fit.set) {
-    diagnosis.faults.push_back(found_fault(evidence, fit, fault, diagnosis.explained));
-    diagnosis.is_flipped |= fault_catalogue()[fault].id == "upside-down";
+  for (std::size_t i = 0; i < fit.set.size(); ++i) {
+    diagnosis.faults.push_back(found_fault(evidence, fit, fit.set[i], diagnosis.explained, righted[i]));
+    diagnosis.is_flipped |= fault_catalogue()[fit.set[i]].id == "upside-down";
   }
   std::stable_sort(diagnosis.faults.begin(), diagnosis.faults.end(),
                    [](const FoundFault& a, const FoundFault& b) { return a.pixels > b.pixels; });

@@ -292,9 +292,12 @@ class Search {
     return evidence_.fit(best.set, evidence_.pixels());
   }
 
-  static std::vector<PixelPlace> some_of(const std::vector<PixelPlace>& places) {
+  /// As many as a few hundred sets may be tried at.
+  std::vector<PixelPlace> some_of(const std::vector<PixelPlace>& places) const {
+    constexpr double sets = 300;
     std::vector<PixelPlace> some;
-    const std::size_t count = std::min(places.size(), polishing);
+    const auto affordable = static_cast<std::size_t>(most_units / (sets * evidence_.units_of_pixel()));
+    const std::size_t count = std::min(places.size(), std::clamp(affordable, std::size_t{40}, polishing));
     for (std::size_t i = 0; i < count; ++i) some.push_back(places[i * places.size() / count]);
     return some;
   }
@@ -305,6 +308,7 @@ class Search {
     Fit found = best;
     double most = least_righted;
     for (const FaultSet& set : sets) {
+      if (evidence_.is_over(1)) break;
       const double righted = share_right({set, best.encoding, 0, 0}, wrong);
       if (righted <= most) continue;
       const double spoilt = 1 - share_right({set, best.encoding, 0, 0}, right);
