@@ -207,27 +207,28 @@ class SceneMeasurer {
 
   /// Ratios to the yardstick become ratios to the fastest, and the fronts are found.
   static void finish(std::vector<ChartPoint>& points) {
-    double fastest = std::numeric_limits<double>::infinity();
-    for (const ChartPoint& point : points)
-      if (makes_a_picture(point)) fastest = std::min(fastest, point.ratio.median);
+    double fastest = std::numeric_limits<double>::infinity(), fewest = fastest;
+    for (ChartPoint& point : points) {
+      point.fails = point.error.non_finite > 0 || !(point.error.rms <= 1);
+      if (point.fails) continue;
+      fastest = std::min(fastest, point.ratio.median);
+      if (point.instructions) fewest = std::min(fewest, static_cast<double>(*point.instructions));
+    }
     if (!std::isfinite(fastest)) fastest = points.front().ratio.median;
     for (ChartPoint& point : points) {
       Spread& ratio = point.ratio;
       ratio = {ratio.median / fastest, ratio.min / fastest, ratio.max / fastest};
+      if (point.instructions && std::isfinite(fewest))
+        point.instructions_ratio = static_cast<double>(*point.instructions) / fewest;
     }
     for (const Truth truth : {Truth::pixel_centres, Truth::pixel_areas}) mark_front(points, truth);
-  }
-
-  /// Because what fails has no error to set against its cost, whatever its speed.
-  static bool makes_a_picture(const ChartPoint& point) {
-    return point.error.non_finite == 0 && point.error.rms <= 1;
   }
 
   static void mark_front(std::vector<ChartPoint>& points, Truth truth) {
     std::vector<CostAndError> figures;
     std::vector<ChartPoint*> marked;
     for (ChartPoint& point : points) {
-      if (point.way.truth != truth || !makes_a_picture(point)) continue;
+      if (point.way.truth != truth || point.fails) continue;
       figures.push_back({point.ratio.median, point.error.rms});
       marked.push_back(&point);
     }

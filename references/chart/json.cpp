@@ -35,11 +35,13 @@ Json json_of(const ChartPoint& point) {
           {"cpu_seconds", json_of(point.cpu_seconds)},
           {"ratio", json_of(point.ratio)},
           {"instructions", or_null(point.instructions)},
+          {"instructions_ratio", or_null(point.instructions_ratio)},
           {"error",
            {{"max", point.error.max},
             {"rms", point.error.rms},
             {"pixels_over", point.error.pixels_over},
             {"non_finite", point.error.non_finite}}},
+          {"fails", point.fails},
           {"pareto", point.pareto},
           {"measured_before", point.measured_before}};
 }

@@ -2,10 +2,6 @@
 
 import json
 
-# An RMS error over 1 is more than black is from white: no picture. It is drawn in a band at the edge of the axis,
-# for one overflow (1e37) would leave the others a tenth of it.
-FAILED = 1.0
-
 
 def least_gap(wanted, gap, low, high):
     """The places nearest to the wanted ones (ascending) that are `gap` apart, between low and high."""
@@ -40,14 +36,9 @@ def label_of(point, counts):
         title += f" ({point['error']['pixels_over']:,})"
     if point["error"]["non_finite"]:
         title += f", {point['error']['non_finite']:,} not finite"
-    elif fails(point):
+    elif point["fails"]:
         title += f", RMS {point['error']['rms']:.0e}"
     return title
-
-
-def fails(point):
-    rms = point["error"]["rms"]
-    return point["error"]["non_finite"] > 0 or rms is None or rms > FAILED
 
 
 def weight_of(point):

@@ -15,7 +15,7 @@ try:
 except ImportError as error:
     sys.exit(f"matplotlib is missing ({error}): apt-get install python3-matplotlib")
 
-from labels import FAILED, drawn, fails, label_of, least_gap, weight_of
+from labels import drawn, label_of, least_gap, weight_of
 
 matplotlib.rcParams.update({"svg.fonttype": "none", "svg.hashsalt": "plumb", "font.size": 8.5, "axes.linewidth": 0.7,
                             "hatch.linewidth": 0.5, "font.family": "sans-serif"})
@@ -27,17 +27,18 @@ DOMINATED, DOMINATED_TEXT = "#C4C4C4", "#606060"
 COLUMNS = {"pixel_centres": "exactness", "pixel_areas": "sampling"}
 LABEL_STEP = 0.155  # inches
 LEFT, PANEL, GAP, RIGHT = 0.65, 2.9, 0.2, 0.25  # inches, of a column: its ticks, the panel, the leaders, what parts columns
-BAND = 0.08  # of the axis, for what fails
+# Of the axis, for what fails: one overflow (1e37) would leave the others a tenth of it.
+BAND = 0.08
 
 
 def floor_of(points):
     """Where an error of 0 is drawn: a decade below the smallest other."""
-    errors = [p["error"]["rms"] for p in points if not fails(p) and p["error"]["rms"] > 0]
+    errors = [p["error"]["rms"] for p in points if not p["fails"] and p["error"]["rms"] > 0]
     return 10.0 ** (math.floor(math.log10(min(errors))) - 1) if errors else 1e-10
 
 
 def draw_front(axes, points, height):
-    front = sorted((p["ratio"]["median"], height(p)) for p in points if p["pareto"] and not fails(p))
+    front = sorted((p["ratio"]["median"], height(p)) for p in points if p["pareto"] and not p["fails"])
     if not front:
         return
     right = axes.get_xlim()[1]
@@ -76,10 +77,10 @@ def draw_labels(axes, points, height, counts):
 def limits_of(points):
     """The lowest and the highest error drawn to scale, and the end of the axis: above them the band, if any fail."""
     floor = floor_of(points)
-    errors = [p["error"]["rms"] for p in points if not fails(p)]
+    errors = [p["error"]["rms"] for p in points if not p["fails"]]
     low = floor / 2.5 if 0 in errors else min(errors, default=4 * floor) / 2
     high = max([e for e in errors if e > 0], default=10 * floor) * 3
-    band = (high / low) ** (BAND / (1 - BAND)) if any(map(fails, points)) else 1
+    band = (high / low) ** (BAND / (1 - BAND)) if any(p["fails"] for p in points) else 1
     return low, high, high * band
 
 
@@ -101,7 +102,7 @@ def set_heights(axes, points, low, high, end):
 
 def draw_panel(axes, points, against):
     low, high, end = limits_of(points)
-    height = lambda point: math.sqrt(high * end) if fails(point) else point["error"]["rms"] or floor_of(points)
+    height = lambda point: math.sqrt(high * end) if point["fails"] else point["error"]["rms"] or floor_of(points)
     axes.set_xscale("log")
     axes.set_xlim(0.6, 2 * max(p["ratio"]["max"] for p in points))
     set_heights(axes, points, low, high, end)
@@ -184,8 +185,8 @@ def draw_legend(figure, chart):
                   handletextpad=0.4, bbox_to_anchor=(0, 1 - 0.02 / figure.get_size_inches()[1]))
     runs = f"median and range of {chart['runs']} runs" if chart["runs"] > 1 else "one run"
     notes = f"plumb {chart['plumb']}, {chart['machine']}; one thread; {runs}; POV-Ray without its start"
-    if any(fails(p) for s in chart["scenes"] for p in s["points"]):
-        notes += f"\nfails: RMS error over {FAILED:g}, or pixels that are no finite numbers"
+    if any(p["fails"] for s in chart["scenes"] for p in s["points"]):
+        notes += "\nfails: RMS error over 1, or pixels that are no finite numbers"
     figure.text(0.01, 0.08 / figure.get_size_inches()[1], notes, fontsize=8, color=DOMINATED_TEXT, va="bottom")
 
 

@@ -23,6 +23,7 @@ json point(const std::string& renderer, const std::string& title, double ratio, 
           {"against", against},
           {"ratio", {{"median", ratio}, {"min", 0.9 * ratio}, {"max", 1.2 * ratio}}},
           {"error", {{"max", rms}, {"rms", rms}, {"pixels_over", 12}, {"non_finite", non_finite}}},
+          {"fails", non_finite > 0 || rms > 1},
           {"pareto", ratio < 2}};
 }
 
@@ -100,6 +101,8 @@ TEST_F(ChartCommand, MeasuresEveryWayAndDrawsIt) {
     EXPECT_GT(p["cpu_seconds"]["median"], 0);
     EXPECT_EQ(p["instructions"].is_null(), !chart["instructions_complaint"].is_null());
     EXPECT_EQ(p["pareto"], is_on_front(points, p)) << p["id"];
+    EXPECT_EQ(p["fails"], p["error"]["non_finite"] > 0 || !(p["error"]["rms"] <= 1)) << p["id"];
+    EXPECT_EQ(p["instructions_ratio"].is_null(), p["instructions"].is_null()) << p["id"];
     fastest = std::min(fastest, p["ratio"]["median"].get<double>());
   }
   EXPECT_EQ(fastest, 1);
