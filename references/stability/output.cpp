@@ -69,12 +69,33 @@ const char* colour_of(double error) {
   return error < 1 ? "#E69F00" : "#000000";
 }
 
+/// Of single rays: the error by the condition, both logarithmic, and a line where it breaks first.
+std::string drawn_curve(const Row& row) {
+  constexpr double width = 136, height = 64, decades = 20;
+  const double last = std::log(std::max(row.curve.back().first, 2.0));
+  const auto across = [&](double value) { return width * std::log(std::max(value, 1.0)) / last; };
+  std::string points;
+  std::array<char, 160> text{};
+  for (const auto& [value, error] : row.curve) {
+    if (std::isnan(error)) continue;
+    const double level = 1 + std::log10(std::max(error, std::pow(10, -decades))) / decades;
+    std::snprintf(text.data(), text.size(), "%.1f,%.1f ", across(value), 2 + (height - 4) * (1 - level));
+    points += text.data();
+  }
+  std::snprintf(text.data(), text.size(),
+                "<line x1=%.1f x2=%.1f y1=0 y2=%.0f stroke='#D55E00'/></svg><br>at %.2g",
+                across(first_break(row)), across(first_break(row)), height, first_break(row));
+  return "<svg width=136 height=64 role=img aria-label='error by the condition'>"
+         "<rect width=136 height=64 fill='#f4f4f4'/><polyline fill=none stroke='#0072B2' points='" +
+         points + "'/>" + text.data();
+}
+
 /// The failure as it is seen.
 std::string picture_cell(const Row& row, const std::optional<FailurePicture>& picture) {
   if (!row.breaks.any()) return "<td></td>";
-  if (!picture) return "<td>" + row.measures + " of single rays</td>";
+  if (!picture) return "<td class=seen>" + drawn_curve(row) + "</td>";
   std::array<char, 64> at{};
-  std::snprintf(at.data(), at.size(), "at %.2g", *picture_value(row));
+  std::snprintf(at.data(), at.size(), "at %.2g", 1.5 * first_break(row));
   if (!picture->refused.empty())
     return "<td>" + std::string(at.data()) + ": " + escaped(picture->refused) + "</td>";
   const auto image = [](const char* what, const std::string& bytes) {

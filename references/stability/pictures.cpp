@@ -61,21 +61,21 @@ bool is_seen(const Condition& condition, const Row& row) {
 
 }  // namespace
 
-std::optional<double> picture_value(const Row& row) {
+double first_break(const Row& row) {
   const Breaks& b = row.breaks;
   std::optional<double> first;
   for (const auto& at : {b.missed, b.self_shadow, b.percent}) {
     if (at && (!first || *at < *first)) first = at;
   }
   if (!first) first = b.e6 ? b.e6 : b.ulp16;
-  return first ? std::optional<double>(1.5 * *first) : std::nullopt;
+  return first.value();
 }
 
 std::optional<FailurePicture> failure_picture(const Condition& condition, const Row& row) {
-  const std::optional<double> value = picture_value(row);
-  if (!value || !is_seen(condition, row)) return std::nullopt;
-  std::optional<World> world = world_of(condition.name, *value);
-  if (!world) world = close_up_of(condition.name, *value);
+  if (!row.breaks.any() || !is_seen(condition, row)) return std::nullopt;
+  const double value = 1.5 * first_break(row);
+  std::optional<World> world = world_of(condition.name, value);
+  if (!world) world = close_up_of(condition.name, value);
   if (!world) return std::nullopt;
   try {
     const std::optional<Image> seen = seen_by(row, *world);

@@ -8,9 +8,9 @@
 
 namespace plumb::references::stability {
 
-/// Where a picture is taken: 1.5 times the first value at which a row loses hits, meets itself or is 1 % off;
-/// if it is never, that of the finest break there is.
-std::optional<double> picture_value(const Row& row);
+/// The first value at which a row loses hits, meets itself or is 1 % off; if it never is, that of the finest
+/// break there is. A picture is taken at 1.5 times that. Expects a row that breaks.
+double first_break(const Row& row);
 
 /// Two PNG files, or why there are none.
 struct FailurePicture {
