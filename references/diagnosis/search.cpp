@@ -46,7 +46,8 @@ class Search {
   Fit best() {
     std::vector<Fit> beam{{}};
     look_again(beam);
-    if (beam.front().misfit <= nothing_left) return beam.front();
+    if (beam.front().misfit <= nothing_left || wrong_at(beam.front()).size() < least_wrong)
+      return beam.front();
     learn_effects({});
     look_again(beam);
     Fit best = polished(climbed(beam));
@@ -253,6 +254,14 @@ class Search {
       }
     }
     return best;
+  }
+
+  std::vector<PixelPlace> wrong_at(const Fit& fit) const {
+    const std::vector<float> differences = evidence_.differences_at(fit, evidence_.survey());
+    std::vector<PixelPlace> wrong;
+    for (std::size_t i = 0; i < differences.size(); ++i)
+      if (differences[i] >= 1) wrong.push_back(evidence_.survey()[i]);
+    return wrong;
   }
 
   /// What a few pixels tell, because nothing else is left: faults that are seen nowhere else.
