@@ -151,8 +151,18 @@ class Exporter {
     return text;
   }
 
+  /// Of a shape in its own space: a power of two, so that it rounds nothing; 1 where nothing is pressed to
+  /// less than a 64th.
+  double shrinking(const Mat4<double>& inverse) const {
+    if (!space_.shrinks_pressed) return 1;
+    double most = 0;
+    for (int axis = 0; axis < 3; ++axis) most = std::max(most, glm::length(Vec3d(inverse[axis])));
+    return most > 64 && std::isfinite(most) ? std::ldexp(1.0, -std::ilogb(most)) : 1;
+  }
+
   /// M in export units: the linear part is the same, lengths are scaled; only at the top the centre moves.
-  std::string matrix(const Mat4<double>& m, bool is_root) const {
+  std::string matrix(Mat4<double> m, bool is_root, double shrunk = 1) const {
+    for (int axis = 0; axis < 3; ++axis) m[axis] /= shrunk;
     const Vec3d moved = space_.scale * (Vec3d(m[3]) - (is_root ? space_.center : Vec3d(0)));
     const bool linear_identity =
         Vec3d(m[0]) == Vec3d(1, 0, 0) && Vec3d(m[1]) == Vec3d(0, 1, 0) && Vec3d(m[2]) == Vec3d(0, 0, 1);
@@ -164,8 +174,8 @@ class Exporter {
     return text + to_text(moved.x) + "," + to_text(moved.y) + "," + to_text(moved.z) + ">";
   }
 
-  std::string primitive(const Shape& shape, const std::string& rest) const {
-    const double s = space_.scale;
+  std::string primitive(const Shape& shape, const std::string& rest, double shrunk) const {
+    const double s = space_.scale * shrunk;
     if (const auto* sphere = std::get_if<Sphere>(&shape.geometry)) {
       return "sphere { " + sdl(s * sphere->center) + ", " + to_text(s * sphere->radius) + rest + " }";
     }
@@ -174,10 +184,12 @@ class Exporter {
   }
 
   /// A sphere or box, and beside it its black shadow caster where glass must cast a full shadow.
-  std::string leaf(const Shape& shape, const std::string& placed) const {
-    std::string text = primitive(shape, appearance(shape, Role::itself) + placed);
+  std::string leaf(const Shape& shape, const Transform<double>& transform, bool is_root) const {
+    const double shrunk = shrinking(transform.inverse);
+    const std::string placed = matrix(transform.matrix, is_root, shrunk);
+    std::string text = primitive(shape, appearance(shape, Role::itself) + placed, shrunk);
     if (casts_apart(shape)) {
-      text += " " + primitive(shape, appearance(shape, Role::shadow_caster) + placed);
+      text += " " + primitive(shape, appearance(shape, Role::shadow_caster) + placed, shrunk);
     }
     return text;
   }
@@ -205,9 +217,9 @@ class Exporter {
 
   std::string use(ShapeId id, bool is_root) const {
     const Shape& shape = scene_.shapes[id];
-    const std::string placed = matrix(transform_of<double>(shape.transform).matrix, is_root);
-    if (material_of(shape) != nullptr) return leaf(shape, placed);
-    return "object { Composite_" + std::to_string(id) + placed + " }";
+    const Transform<double> transform = transform_of<double>(shape.transform);
+    if (material_of(shape) != nullptr) return leaf(shape, transform, is_root);
+    return "object { Composite_" + std::to_string(id) + matrix(transform.matrix, is_root) + " }";
   }
 
   /// With the eye inside glass POV-Ray looks for the interiors among the top objects only, in their order.
@@ -219,8 +231,10 @@ class Exporter {
     };
     const auto write = [&](const Instance& i, Role role) {
       const Shape& shape = scene_.shapes[i.shape];
-      text_ += primitive(shape, appearance(shape, role) + matrix(i.world_from_object.matrix, true)) + " // " +
-               harmless(shape.name) + "\n";
+      const double shrunk = shrinking(i.world_from_object.inverse);
+      const std::string placed = matrix(i.world_from_object.matrix, true, shrunk);
+      text_ +=
+          primitive(shape, appearance(shape, role) + placed, shrunk) + " // " + harmless(shape.name) + "\n";
     };
     for (const Instance& i : instances) {
       if (casts_apart(material(i))) write(i, Role::shadow_caster);

@@ -12,6 +12,9 @@ namespace plumb::exporters {
 struct ExportSpace {
   double scale;  ///< a power of two, so that scaling rounds nothing
   Vec3d center;  ///< 0 unless the scene lies far off the origin
+  /// Shapes that a matrix presses flat are made smaller in their own space, and their matrix larger: their
+  /// own space is stretched, and POV-Ray meets no sphere farther than 1e7 there.
+  bool shrinks_pressed = true;
 };
 
 /// POV-Ray's tolerances are absolute (1e-6 .. 1e-3), so the scene is made to span about 1e4 units.
@@ -26,7 +29,7 @@ struct PovrayExport {
 PovrayExport export_povray(const Scene& scene, const Camera& camera, int width, int height,
                            const RenderOptions& options);
 
-/// The same in a space of the caller's: {1, 0} has the scene's own units, with which POV-Ray is at its
+/// The same in a space of the caller's: {1, 0, false} has the scene's own units, in which POV-Ray is at its
 /// weakest.
 PovrayExport export_povray(const Scene& scene, const Camera& camera, int width, int height,
                            const RenderOptions& options, const ExportSpace& space);

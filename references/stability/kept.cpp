@@ -53,7 +53,7 @@ void Kept::keep(const std::string& condition, const std::string& renderer, const
 }
 
 std::string Kept::path(const std::string& condition, const std::string& renderer, const Row& row) const {
-  constexpr const char* settings = "rows 11";  // another number when a method or a sweep changes
+  constexpr const char* settings = "rows 13";  // another number when a method or a sweep changes
   return directory_ + "/stability-" +
          sha256(std::string(PLUMB_VERSION) + " " + settings + " " + condition + " " + row.method + " " +
                 row.real + " " + renderer + (quick_ ? " quick" : " full")) +

@@ -179,7 +179,7 @@ std::string page_of(const std::vector<Condition>& conditions) {
       "body{font:14px sans-serif;margin:2em;color:#222}table{border-collapse:collapse;margin-bottom:2em}"
       "td,th{padding:2px 6px;text-align:left;border-bottom:1px solid #ddd}.map{white-space:nowrap}"
       ".map i,.key i{display:inline-block;width:10px;height:16px}.key span{margin-right:1.5em}"
-      ".seen,td:nth-child(-n+2),th{white-space:nowrap}.seen img{margin-right:2px}</style>"
+      ".seen,td:nth-child(-n+2){white-space:nowrap}.seen img{margin-right:2px}</style>"
       "<h1>Where methods fail</h1><p class=key>Largest error of t, of a direction, a point or a pixel: ";
   for (const auto& [error, words] :
        {std::pair(0.0, "to 1e-12"), std::pair(1e-7, "to 1e-6"), std::pair(1e-3, "to 1 %"),
