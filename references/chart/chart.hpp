@@ -36,7 +36,7 @@ struct ChartPoint {
   Spread cpu_seconds;
   Spread ratio;  ///< to the fastest of the scene
   std::optional<std::uint64_t> instructions;
-  int runs = 0;                              ///< as many as asked for; fewer of what takes long
+  int runs = 0;                                ///< as many as asked for; fewer of what takes long
   std::optional<double> instructions_ratio{};  ///< to the fewest of the scene
   bool fails = false;            ///< makes no picture to set against its cost: RMS over 1, or not finite
   bool pareto = false;           ///< among those held against the same truth: of the ratio and the RMS error

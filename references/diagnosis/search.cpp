@@ -46,8 +46,10 @@ class Search {
   Fit best() {
     std::vector<Fit> beam{{}};
     look_again(beam);
-    if (beam.front().misfit <= nothing_left || wrong_at(beam.front()).size() < least_wrong)
-      return beam.front();
+    const std::size_t wrong = wrong_at(beam.front()).size();
+    if (beam.front().misfit <= nothing_left || wrong < least_wrong) return beam.front();
+    // What is all but right has few faults: a right picture is to be told in 2 s.
+    if (wrong < evidence_.survey().size() / 200) budget_ = 0.25;
     learn_effects({});
     look_again(beam);
     Fit best = polished(climbed(beam));
@@ -70,7 +72,8 @@ class Search {
   }
 
  private:
-  bool is_over() const { return evidence_.is_over(share_); }
+  bool is_over(double share) const { return evidence_.is_over(share * budget_); }
+  bool is_over() const { return is_over(share_); }
 
   bool keep_better(const Fit& other, Fit& best) const {
     best = evidence_.fit(best.set, evidence_.pixels());
@@ -266,7 +269,7 @@ class Search {
 
   /// What a few pixels tell, because nothing else is left: faults that are seen nowhere else.
   Fit polished(Fit best) const {
-    for (int round = 0; round < 4 && !evidence_.is_over(1); ++round) {
+    for (int round = 0; round < 4 && !is_over(1); ++round) {
       const std::vector<float> differences = evidence_.differences_at(best, evidence_.survey());
       std::vector<PixelPlace> wrong, right;
       for (std::size_t i = 0; i < differences.size(); ++i)
@@ -317,7 +320,7 @@ class Search {
     Fit found = best;
     double most = least_righted;
     for (const FaultSet& set : sets) {
-      if (evidence_.is_over(1)) break;
+      if (is_over(1)) break;
       const double righted = share_right({set, best.encoding, 0, 0}, wrong);
       if (righted <= most) continue;
       const double spoilt = 1 - share_right({set, best.encoding, 0, 0}, right);
@@ -363,6 +366,7 @@ class Search {
   Evidence& evidence_;
   std::size_t even_;
   double share_ = 0.4;  // of the work, for what is done now: some is left for pairs, and for polishing
+  double budget_ = 1;   // of all the work
   std::vector<bool> has_effect_;  // of the faults
   std::vector<PixelPlace> telling_;
 };
