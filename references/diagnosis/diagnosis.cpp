@@ -123,6 +123,15 @@ FoundFault found_fault(const Evidence& evidence, const Fit& fit, std::size_t fau
   return found;
 }
 
+/// A picture of one colour, which tells too little to name more than one fault.
+bool is_blank(const ImageFile& seen) {
+  const auto channels = static_cast<std::size_t>(seen.channels);
+  for (std::size_t i = channels; i < seen.values.size(); ++i) {
+    if (seen.values[i] != seen.values[i - channels]) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 const char* to_string(PictureVerdict verdict) {
@@ -149,7 +158,8 @@ Diagnosis diagnose(const Scene& scene, const Camera& camera, const textbook::Ren
   const auto wrong =
       std::count_if(differences.begin(), differences.end(), [](float d) { return d > rounding; });
   const bool is_right = static_cast<double>(wrong) <= edges * static_cast<double>(differences.size());
-  const bool is_explained = fit.set.empty() ? is_right : diagnosis.explained >= enough;
+  const bool is_explained =
+      fit.set.empty() ? is_right : diagnosis.explained >= enough && !(fit.set.size() > 1 && is_blank(seen));
   if (is_explained)
     diagnosis.verdict = fit.set.empty() ? PictureVerdict::right : PictureVerdict::faults;
   else
