@@ -59,7 +59,7 @@ void write_image(const std::string& path, const Image& image, Encoding encoding)
   writer.finish();
 }
 
-PixelRows open_image(const std::string& path) {
+PixelRows open_image(const std::string& path, const ReadRequest&) {
   const std::string extension = extension_of(path);
   expect_bytes(path, extension);
   if (extension == ".pfm") {

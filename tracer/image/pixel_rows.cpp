@@ -61,11 +61,12 @@ PixelRows rows_of(ImageFile&& file) {
   rows.top = reinterpret_cast<const std::byte*>(values->data());
   rows.stride = static_cast<std::ptrdiff_t>(rows.row_values() * sizeof(float));
   rows.owner = values;
+  rows.contents = std::move(file.contents);
   return rows;
 }
 
 ImageFile image_of(const PixelRows& rows) {
-  ImageFile file{rows.width, rows.height, rows.channels, rows.sample, {}};
+  ImageFile file{rows.width, rows.height, rows.channels, rows.sample, {}, rows.contents};
   file.values.resize(rows.row_values() * static_cast<std::size_t>(rows.height));
   for (int y = 0; y < rows.height; ++y)
     rows.copy_row(y, file.values.data() + static_cast<std::size_t>(y) * rows.row_values());

@@ -21,6 +21,7 @@ struct PixelRows {
   const std::byte* top = nullptr;   ///< row 0; not aligned to anything
   std::ptrdiff_t stride = 0;        ///< bytes to the next row; negative when the file has the last row first
   std::shared_ptr<const void> owner;  ///< keeps the bytes
+  FileContents contents;
 
   std::size_t row_values() const {
     return static_cast<std::size_t>(width) * static_cast<std::size_t>(channels);
