@@ -27,7 +27,7 @@ textbook::RenderJob small_job() {
 }
 
 ImageFile as_file(const Image& image, plumb::Encoding encoding) {
-  ImageFile file{image.width, image.height, 3, Sample::bits8, {}};
+  ImageFile file{image.width, image.height, 3, Sample::bits8, {}, {}};
   for (const std::uint8_t byte : encode_8_bits(image, encoding))
     file.values.push_back(static_cast<float>(byte) / 255);
   return file;

@@ -17,7 +17,7 @@ constexpr double tolerance = 1e-6;
 
 /// Values from 0 to 1.2, none of them a whole number of steps.
 ImageFile reference_picture() {
-  ImageFile file{width, height, 3, Sample::float32, {}};
+  ImageFile file{width, height, 3, Sample::float32, {}, {}};
   for (int i = 0; i < 3 * width * height; ++i)
     file.values.push_back(static_cast<float>(i * 7919 % 3071) / 2560.0F);
   return file;

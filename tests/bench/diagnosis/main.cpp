@@ -38,7 +38,7 @@ RenderJob job_of(const Options& options, const RenderOptions& render) {
 }
 
 ImageFile as_written(const Image& image) {
-  ImageFile file{image.width, image.height, 3, Sample::bits8, {}};
+  ImageFile file{image.width, image.height, 3, Sample::bits8, {}, {}};
   for (const std::uint8_t byte : encode_8_bits(image, Encoding::course))
     file.values.push_back(static_cast<float>(byte) / 255);
   return file;
