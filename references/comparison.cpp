@@ -10,13 +10,11 @@
 namespace plumb::references {
 namespace {
 
-double allowed(double reference, double tolerance) { return tolerance * std::max(1.0, std::abs(reference)); }
-
-bool is_within(const float* reference, const float* test, int channels, double tolerance) {
+bool is_within(const float* reference, const float* test, int channels, Limit limit) {
   for (int c = 0; c < channels; ++c) {
     if (!std::isfinite(reference[c]) || !std::isfinite(test[c])) return false;
     const double difference = std::abs(static_cast<double>(test[c]) - static_cast<double>(reference[c]));
-    if (difference > allowed(reference[c], tolerance)) return false;
+    if (difference > limit.at(reference[c])) return false;
   }
   return true;
 }
@@ -28,11 +26,11 @@ std::vector<float> pixel_at(const PixelRows& rows, int x, int y) {
   return {at, at + rows.channels};
 }
 
-Comparison comparison_of(const comparison_kernels::Tally& tally, const PixelRows& reference,
-                         const PixelRows& test) {
+Comparison comparison_of(const comparison_kernels::Tally& tally, std::size_t pixels,
+                         const PixelRows& reference, const PixelRows& test) {
   Comparison result;
   const auto width = static_cast<std::size_t>(reference.width);
-  result.pixels = width * static_cast<std::size_t>(reference.height);
+  result.pixels = pixels;
   result.non_finite = tally.non_finite;
   result.pixels_over = tally.pixels_over;
   result.max_error = tally.max_error;
@@ -91,11 +89,52 @@ PixelRows columns_of(PixelRows rows, Range range) {
   return rows;
 }
 
+void expect_valid(Limit limit) {
+  if (!(limit.tolerance >= 0) || !std::isfinite(limit.tolerance))
+    throw std::invalid_argument("expected a finite tolerance >= 0");
+  if (!(limit.relative >= 0) || !std::isfinite(limit.relative))
+    throw std::invalid_argument("expected a finite relative tolerance >= 0");
+}
+
+/// The pixels that count after x in row y, and the end of their run; both are the width when there are none.
+Range next_run(const PixelMask& mask, int y, std::size_t x, std::size_t width) {
+  const auto counts = [&](std::size_t at) { return mask.has(static_cast<int>(at), y); };
+  while (x < width && !counts(x)) ++x;
+  Range run{x, x};
+  while (run.end < width && counts(run.end)) ++run.end;
+  return run;
+}
+
+Comparison compare_masked(const PixelRows& reference, const PixelRows& test, Limit limit,
+                          const PixelMask& mask) {
+  constexpr auto none = static_cast<std::size_t>(-1);
+  comparison_kernels::Tally tally;
+  tally.worst_pixel = none;  // pixel 0 may be one that does not count
+  std::vector<float> reference_scratch;
+  std::vector<float> test_scratch;
+  const auto width = static_cast<std::size_t>(reference.width);
+  const std::size_t pixel = static_cast<std::size_t>(reference.channels) * sizeof(float);
+  for (int y = 0; y < reference.height; ++y) {
+    Range run = next_run(mask, y, 0, width);
+    if (run.first == width) continue;
+    if (tally.worst_pixel == none) tally.worst_pixel = static_cast<std::size_t>(y) * width + run.first;
+    const std::byte* const r = reference.floats(y, reference_scratch);
+    const std::byte* const t = test.floats(y, test_scratch);
+    for (; run.first < width; run = next_run(mask, y, run.end, width)) {
+      comparison_kernels::add(tally, r + run.first * pixel, t + run.first * pixel, run.end - run.first,
+                              reference.channels, limit, static_cast<std::size_t>(y) * width + run.first);
+    }
+  }
+  const std::size_t pixels = mask.count();
+  if (pixels == 0) throw std::invalid_argument("expected a mask that leaves at least one pixel");
+  return comparison_of(tally, pixels, reference, test);
+}
+
 }  // namespace
 
-Comparison compare(const PixelRows& reference, const PixelRows& test, double tolerance) {
-  if (!(tolerance >= 0) || !std::isfinite(tolerance))
-    throw std::invalid_argument("expected a finite tolerance >= 0");
+Comparison compare(const PixelRows& reference, const PixelRows& test, Limit limit, const PixelMask& mask) {
+  expect_valid(limit);
+  if (!mask.has_all()) return compare_masked(reference, test, limit, mask);
   comparison_kernels::Tally tally;
   std::vector<float> reference_scratch;
   std::vector<float> test_scratch;
@@ -107,13 +146,13 @@ Comparison compare(const PixelRows& reference, const PixelRows& test, double tol
     if (range.first == range.end) continue;
     comparison_kernels::add(tally, columns_of(reference, range).floats(y, reference_scratch),
                             columns_of(test, range).floats(y, test_scratch), range.end - range.first,
-                            reference.channels, tolerance, static_cast<std::size_t>(y) * width + range.first);
+                            reference.channels, limit, static_cast<std::size_t>(y) * width + range.first);
   }
-  return comparison_of(tally, reference, test);
+  return comparison_of(tally, width * static_cast<std::size_t>(reference.height), reference, test);
 }
 
 Comparison compare(int width, int height, int channels, const std::vector<float>& reference,
-                   const std::vector<float>& test, double tolerance) {
+                   const std::vector<float>& test, Limit limit) {
   const auto expected =
       static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * static_cast<std::size_t>(channels);
   if (reference.size() != expected || test.size() != expected) {
@@ -122,27 +161,35 @@ Comparison compare(int width, int height, int channels, const std::vector<float>
                                 " channels");
   }
   return compare(rows_over(width, height, channels, reference), rows_over(width, height, channels, test),
-                 tolerance);
+                 limit);
 }
 
-Comparison compare(const Image& reference, const Image& test, double tolerance) {
+PixelRows rows_over(const Image& image) { return rows_over(image.width, image.height, 3, image.rgb); }
+
+void expect_one_size(const Image& reference, const Image& test) {
   if (reference.width != test.width || reference.height != test.height) {
     throw std::invalid_argument("the pictures have different sizes: reference " +
                                 std::to_string(reference.width) + " x " + std::to_string(reference.height) +
                                 ", test " + std::to_string(test.width) + " x " + std::to_string(test.height));
   }
-  return compare(test.width, test.height, 3, reference.rgb, test.rgb, tolerance);
 }
 
-bool is_within(const float* reference, const float* test, double tolerance) {
-  return is_within(reference, test, 3, tolerance);
+Comparison compare(const Image& reference, const Image& test, Limit limit) {
+  expect_one_size(reference, test);
+  return compare(test.width, test.height, 3, reference.rgb, test.rgb, limit);
 }
 
-std::vector<PixelPlace> pixels_over(const Image& reference, const Image& test, double tolerance) {
+bool is_within(const float* reference, const float* test, Limit limit) {
+  return is_within(reference, test, 3, limit);
+}
+
+std::vector<PixelPlace> pixels_over(const Image& reference, const Image& test, Limit limit,
+                                    const PixelMask& mask) {
   std::vector<PixelPlace> places;
   for (int y = 0; y < test.height; ++y) {
     for (int x = 0; x < test.width; ++x) {
-      if (!is_within(reference.pixel(x, y), test.pixel(x, y), tolerance)) places.push_back({x, y});
+      if (mask.has(x, y) && !is_within(reference.pixel(x, y), test.pixel(x, y), limit))
+        places.push_back({x, y});
     }
   }
   return places;

@@ -32,15 +32,16 @@ float component(const std::byte* from, std::size_t index) {
 
 /// One pixel, with every case.
 void add_pixel(Tally& tally, const std::byte* reference, const std::byte* test, std::size_t channels,
-               double tolerance, std::size_t number) {
+               const Limit& limit, std::size_t number) {
   bool is_finite = true, is_over = false;
-  double worst = 0, largest = 0, sum = 0, squares = 0;
+  double worst = -INFINITY, judged = 0, largest = 0, sum = 0, squares = 0;
   for (std::size_t c = 0; c < channels; ++c) {
     const double r = component(reference, c), t = component(test, c);
     is_finite = is_finite && std::isfinite(r) && std::isfinite(t);
     const double difference = std::abs(t - r), scale = std::max(1.0, std::abs(r));
-    is_over = is_over || difference > tolerance * scale;
-    worst = std::max(worst, difference / scale);
+    is_over = is_over || difference > limit.at(r);
+    judged = std::max(judged, difference / scale);
+    worst = std::max(worst, (limit.is_relative() ? difference - limit.at(r) : difference) / scale);
     largest = std::max(largest, difference);
     sum += difference;
     squares += difference * difference;
@@ -53,7 +54,7 @@ void add_pixel(Tally& tally, const std::byte* reference, const std::byte* test, 
   tally.pixels_over += is_over || !is_finite ? 1 : 0;
   tally.non_finite += is_finite ? 0 : 1;
   if (!is_finite) return;
-  tally.judged_error = std::max(tally.judged_error, worst);
+  tally.judged_error = std::max(tally.judged_error, judged);
   tally.max_error = std::max(tally.max_error, largest);
   tally.sum += sum;
   tally.sum_of_squares += squares;
@@ -114,18 +115,18 @@ HWY_INLINE bool add_vector(Sums& sums, std::size_t& over, const std::byte* refer
 
 template <std::size_t channels>
 void add_pixels(Tally& tally, const std::byte* reference, const std::byte* test, std::size_t pixels,
-                double tolerance, std::size_t first) {
+                const Limit& limit, std::size_t first) {
   const Doubles d;
   Sums sums{hn::Zero(d), hn::Zero(d), hn::Zero(d)};
   const std::size_t lanes = hn::Lanes(d);
   constexpr std::size_t size = channels * sizeof(float);
   const auto one_by_one = [&](std::size_t from, std::size_t end) {
     for (std::size_t i = from; i < end; ++i)
-      add_pixel(tally, reference + i * size, test + i * size, channels, tolerance, first + i);
+      add_pixel(tally, reference + i * size, test + i * size, channels, limit, first + i);
   };
   std::size_t i = 0;
   for (; i + lanes <= pixels; i += lanes) {
-    if (!add_vector<channels>(sums, tally.pixels_over, reference + i * size, test + i * size, tolerance,
+    if (!add_vector<channels>(sums, tally.pixels_over, reference + i * size, test + i * size, limit.tolerance,
                               tally.judged_error))
       one_by_one(i, i + lanes);
   }
@@ -136,14 +137,16 @@ void add_pixels(Tally& tally, const std::byte* reference, const std::byte* test,
 }
 
 void add_target(Tally& tally, const std::byte* reference, const std::byte* test, std::size_t pixels,
-                int channels, double tolerance, std::size_t first) {
-  if (channels == 1) return add_pixels<1>(tally, reference, test, pixels, tolerance, first);
-  if (channels == 3) return add_pixels<3>(tally, reference, test, pixels, tolerance, first);
-  if (channels == 4) return add_pixels<4>(tally, reference, test, pixels, tolerance, first);
+                int channels, const Limit& limit, std::size_t first) {
+  if (!limit.is_relative()) {
+    if (channels == 1) return add_pixels<1>(tally, reference, test, pixels, limit, first);
+    if (channels == 3) return add_pixels<3>(tally, reference, test, pixels, limit, first);
+    if (channels == 4) return add_pixels<4>(tally, reference, test, pixels, limit, first);
+  }
   const auto count = static_cast<std::size_t>(channels);
   for (std::size_t i = 0; i < pixels; ++i) {
     const std::size_t at = i * count * sizeof(float);
-    add_pixel(tally, reference + at, test + at, count, tolerance, first + i);
+    add_pixel(tally, reference + at, test + at, count, limit, first + i);
   }
 }
 
@@ -154,9 +157,9 @@ HWY_AFTER_NAMESPACE();
 namespace plumb::references::comparison_kernels {
 
 void add(Tally& tally, const std::byte* reference, const std::byte* test, std::size_t pixels, int channels,
-         double tolerance, std::size_t first) {
+         const Limit& limit, std::size_t first) {
   chosen(HWY_STATIC_DISPATCH(add_target), N_AVX2::add_target, N_AVX3::add_target)(
-      tally, reference, test, pixels, channels, tolerance, first);
+      tally, reference, test, pixels, channels, limit, first);
 }
 
 }  // namespace plumb::references::comparison_kernels

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
+
+#include "references/limit.hpp"
 
 namespace plumb::references::comparison_kernels {
 
@@ -13,13 +16,15 @@ struct Tally {
   double judged_error = 0;
   double sum = 0;
   double sum_of_squares = 0;
-  double worst = -1;  ///< in units of what is allowed at tolerance 1; infinite when not finite
+  /// In units of what is allowed at tolerance 1; under a relative limit what exceeds it, in the same units.
+  /// Infinite when not finite.
+  double worst = -std::numeric_limits<double>::infinity();
   std::size_t worst_pixel = 0;
 };
 
 /// Adds `pixels` pixels, the first of which has the number `first`. The floats need no alignment. Sums are in
 /// double; which pixels are over is decided exactly as by is_within.
 void add(Tally& tally, const std::byte* reference, const std::byte* test, std::size_t pixels, int channels,
-         double tolerance, std::size_t first);
+         const Limit& limit, std::size_t first);
 
 }  // namespace plumb::references::comparison_kernels
