@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <mutex>
+#include <system_error>
 
 #include "references/in_parallel.hpp"
 #include "references/judging/run_tracer.hpp"
@@ -14,10 +15,7 @@
 namespace plumb::references {
 namespace {
 
-/// because a header of 20 bytes can promise any number of pixels
-constexpr std::int64_t most_pixels = std::int64_t{1} << 24;
-
-std::string size_text(int width, int height) {
+std::string size_text(std::int64_t width, std::int64_t height) {
   return std::to_string(width) + " x " + std::to_string(height) + " pixels";
 }
 
@@ -30,13 +28,21 @@ std::string one_line(std::string text) {
 std::optional<ImageFile> read_picture(const std::string& file, const JudgedScene& scene,
                                       JudgedPicture& result) {
   const RenderRequest& asked = scene.scene.renders.front();
-  try {
-    const PixelRows rows = open_image(file);
-    const bool is_small = std::int64_t{rows.width} * rows.height <= most_pixels;
-    if (is_small && rows.width == asked.width && rows.height == asked.height) return image_of(rows);
+  const auto has_wrong_size = [&](std::int64_t width, std::int64_t height) {
     result.verdict = Judged::wrong_size;
     result.message =
-        "found " + size_text(rows.width, rows.height) + ", expected " + size_text(asked.width, asked.height);
+        "found " + size_text(width, height) + ", expected " + size_text(asked.width, asked.height);
+  };
+  ReadRequest request;
+  request.most_pixels = std::int64_t{asked.width} * asked.height;  // a larger one isn't decoded
+  try {
+    const PixelRows rows = open_image(file, request);
+    if (rows.width == asked.width && rows.height == asked.height) return image_of(rows);
+    has_wrong_size(rows.width, rows.height);
+  } catch (const PictureTooLarge& error) {
+    has_wrong_size(error.width, error.height);
+  } catch (const std::system_error&) {
+    throw;  // our trouble, not that of the picture
   } catch (const std::exception& error) {
     result.verdict = Judged::unreadable;
     result.message = one_line(error.what());

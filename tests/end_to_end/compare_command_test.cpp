@@ -579,7 +579,7 @@ INSTANTIATE_TEST_SUITE_P(Is, NoImage,
                              {"PpmMaximumZero", "bad.ppm", "P3\n2 1\n0\n0 0 0 0 0 0\n", "largest value"},
                              {"PpmMaximumHuge", "bad.ppm", "P3\n2 1\n65536\n0 0 0 0 0 0\n", "largest value"},
                              {"PpmOfBillions", "bad.ppm", "P3\n2000000000 2000000000\n255\n0", "size"},
-                             {"PpmAsBitmap", "bad.ppm", "P1\n2 1\n0 1\n", "P3 or P6"},
+                             {"PpmOfNoType", "bad.ppm", "P8\n2 1\n0 1\n", "no PPM"},
                          }),
                          [](const auto& test) { return test.param.name; });
 

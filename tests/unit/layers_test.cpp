@@ -21,6 +21,7 @@ const std::map<std::string, std::set<std::string>>& allowed() {
       {"tracer/scene", {"tracer/formulas"}},
       {"tracer/image", {"tracer/image/codecs"}},  // the boundary of the module alone
       {"tracer/image/codecs", {"tracer/image"}},
+      {"tracer/image/decoder", {"tracer/image", "tracer/image/codecs"}},
       {"tracer/textbook", {"tracer/formulas", "tracer/scene", "tracer/image"}},
       {"tracer/engine", {"tracer/formulas", "tracer/scene", "tracer/image"}},
       {"tracer/methods", {"tracer/formulas", "tracer/scene"}},

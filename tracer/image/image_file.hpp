@@ -25,6 +25,7 @@ struct FileContents {
   std::string part;              ///< of several parts or pages, the one that was read; else empty
   std::optional<Window> window;  ///< where the rows lie in `display`, for formats that say so
   std::optional<Window> display;
+  std::vector<bool> are_whole;        ///< by channel: whole numbers of 32 bits; empty where none is
   std::vector<std::string> not_read;  ///< phrases, e.g. "part 'depth' (2 of 2)"
 };
 

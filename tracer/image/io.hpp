@@ -2,12 +2,12 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "tracer/image/encode.hpp"
 #include "tracer/image/format.hpp"
 #include "tracer/image/image.hpp"
 #include "tracer/image/netpbm.hpp"
+#include "tracer/image/read_request.hpp"
 
 namespace plumb {
 
@@ -17,14 +17,10 @@ void write_image(const std::string& path, const Image& image, Encoding encoding)
 /// Values as they stand in the file (no gamma removed). Throws std::runtime_error.
 ImageFile read_image(const std::string& path);
 
-/// What to read of a file that holds more than one picture, or more channels than are wanted.
-struct ReadRequest {
-  std::string part;                   ///< its name, or its number from 1; empty: the first
-  std::vector<std::string> channels;  ///< by name, in this order; empty: all
-};
-
-/// The same for looking at row by row. Float PFM, uncompressed float EXR and TIFF stay where they are, mapped
-/// into memory; zip EXR and PNG are read without OpenImageIO. Throws std::runtime_error.
+/// The same for looking at row by row. The first bytes say what kind of file it is. Netpbm, PNG, and float
+/// EXR and TIFF of the plain kinds are read here, uncompressed floats where they lie, mapped into memory; all
+/// else is decoded by a confined process. Throws std::runtime_error naming the path, PictureTooLarge for one
+/// of more pixels than `request` allows, and std::system_error when the confined process cannot be run.
 PixelRows open_image(const std::string& path, const ReadRequest& request = {});
 
 }  // namespace plumb

@@ -1,89 +1,94 @@
 #include "tracer/image/netpbm.hpp"
 
-#include <charconv>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
-#include <stdexcept>
+
+#include "tracer/image/netpbm_tokens.hpp"
 
 namespace plumb {
 namespace {
-
-constexpr double most_values = 3.0 * (1 << 28);
-
-bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\v' || c == '\f'; }
-
-/// Header and ASCII values: tokens between white space, with # comments.
-class Tokens {
- public:
-  Tokens(std::string_view bytes, const std::string& name) : rest_(bytes), name_(name) {}
-
-  std::string_view word() {
-    while (!rest_.empty() && (is_space(rest_.front()) || rest_.front() == '#')) {
-      if (rest_.front() == '#') {
-        rest_.remove_prefix(std::min(rest_.find('\n'), rest_.size()));
-      } else {
-        rest_.remove_prefix(1);
-      }
-    }
-    std::size_t end = 0;
-    while (end < rest_.size() && !is_space(rest_[end]) && rest_[end] != '#') ++end;
-    const std::string_view found = rest_.substr(0, end);
-    rest_.remove_prefix(end);
-    if (found.empty()) fail("it ends too early: the file is truncated");
-    return found;
-  }
-  template <class Number>
-  Number number() {
-    const std::string_view text = word();
-    Number value{};
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size()) {
-      std::string shown(text.substr(0, 20));
-      for (char& c : shown) c = c >= ' ' && c <= '~' ? c : '?';
-      fail("found '" + shown + "', expected a number");
-    }
-    return value;
-  }
-  /// What follows the single white space after the header.
-  std::string_view data() {
-    if (!rest_.empty()) rest_.remove_prefix(1);
-    return rest_;
-  }
-  [[noreturn]] void fail(const std::string& why) const { throw std::runtime_error(name_ + ": " + why); }
-
- private:
-  std::string_view rest_;
-  const std::string& name_;
-};
-
-ImageFile sized(Tokens& tokens, int channels) {
-  ImageFile file;
-  file.width = tokens.number<int>();
-  file.height = tokens.number<int>();
-  file.channels = channels;
-  const double values = static_cast<double>(file.width) * file.height * channels;
-  if (file.width < 1 || file.height < 1 || values > most_values) tokens.fail("its size is out of range");
-  return file;
-}
 
 std::size_t value_count(const ImageFile& file) {
   return static_cast<std::size_t>(file.width) * static_cast<std::size_t>(file.height) *
          static_cast<std::size_t>(file.channels);
 }
 
+/// A compressed picture has its limit; here the file itself holds what it promises.
+ImageFile sized(NetpbmTokens& tokens, int channels, const std::string& name, const ReadLimits& limits) {
+  ImageFile file;
+  file.width = tokens.number<int>();
+  file.height = tokens.number<int>();
+  file.channels = channels;
+  limits.check(name, file.width, file.height, 0);
+  return file;
+}
+
+/// As text, each value takes a digit at least, and a space; bits are written without.
+void expect_text_for(const NetpbmTokens& tokens, std::size_t values, std::size_t each) {
+  if (tokens.rest().size() + 1 < values * each) tokens.fail("it ends too early: the file is truncated");
+}
+
+void expect_at_most(const NetpbmTokens& tokens, unsigned value, unsigned most) {
+  if (value > most)
+    tokens.fail("found value " + std::to_string(value) + ", expected 0 to " + std::to_string(most));
+}
+
+/// 1 is black. Rows of bytes begin with a new byte.
+void read_bits(NetpbmTokens& tokens, bool is_text, ImageFile& file) {
+  if (is_text) {
+    expect_text_for(tokens, value_count(file), 1);
+    for (std::size_t i = 0; i < value_count(file); ++i) file.values.push_back(tokens.bit() ? 0.0F : 1.0F);
+    return;
+  }
+  const auto width = static_cast<std::size_t>(file.width), row = (width + 7) / 8;
+  const std::string_view data = tokens.data(row * static_cast<std::size_t>(file.height));
+  for (std::size_t i = 0; i < value_count(file); ++i) {
+    const auto byte = static_cast<unsigned char>(data[i / width * row + i % width / 8]);
+    file.values.push_back((byte >> (7 - i % width % 8) & 1) != 0 ? 0.0F : 1.0F);
+  }
+}
+
+void read_text(NetpbmTokens& tokens, int most, ImageFile& file) {
+  expect_text_for(tokens, value_count(file), 2);
+  file.values.reserve(value_count(file));
+  for (std::size_t i = 0; i < value_count(file); ++i) {
+    const int value = tokens.number<int>();
+    if (value < 0)
+      tokens.fail("found value " + std::to_string(value) + ", expected 0 to " + std::to_string(most));
+    expect_at_most(tokens, static_cast<unsigned>(value), static_cast<unsigned>(most));
+    file.values.push_back(static_cast<float>(value) / static_cast<float>(most));
+  }
+}
+
+void read_bytes(NetpbmTokens& tokens, int most, ImageFile& file) {
+  const std::size_t size = most > 255 ? 2 : 1;
+  const std::string_view data = tokens.data(value_count(file) * size);
+  file.values.reserve(value_count(file));
+  for (std::size_t i = 0; i < value_count(file); ++i) {
+    unsigned value = static_cast<unsigned char>(data[i * size]);
+    if (size == 2) value = value << 8 | static_cast<unsigned char>(data[i * 2 + 1]);
+    expect_at_most(tokens, value, static_cast<unsigned>(most));
+    file.values.push_back(static_cast<float>(value) / static_cast<float>(most));
+  }
+}
+
+/// Netpbm lets further pictures follow the first.
+void note_rest(const NetpbmTokens& tokens, FileContents& contents) {
+  const std::size_t size = tokens.rest().size();
+  if (size != 0) contents.not_read.push_back(std::to_string(size) + " bytes after the picture");
+}
+
 }  // namespace
 
-PixelRows pfm_rows(std::string_view bytes, const std::string& name, std::shared_ptr<const void> owner) {
-  Tokens tokens(bytes, name);
+PixelRows pfm_rows(std::string_view bytes, const std::string& name, std::shared_ptr<const void> owner,
+                   const ReadLimits& limits) {
+  NetpbmTokens tokens(bytes, name);
   const std::string_view magic = tokens.word();
   if (magic != "PF" && magic != "Pf") tokens.fail("is no PFM file");
-  const ImageFile file = sized(tokens, magic == "PF" ? 3 : 1);
+  const ImageFile file = sized(tokens, magic == "PF" ? 3 : 1, name, limits);
   const double scale = tokens.number<double>();
   if (scale == 0 || !std::isfinite(scale)) tokens.fail("its scale is 0 or not finite, expected -1 or 1");
-  const std::string_view data = tokens.data();
-  if (data.size() < value_count(file) * sizeof(float))
-    tokens.fail("it ends too early: the file is truncated");
+  const std::string_view data = tokens.data(value_count(file) * sizeof(float));
   PixelRows rows;
   rows.width = file.width;
   rows.height = file.height;
@@ -92,39 +97,29 @@ PixelRows pfm_rows(std::string_view bytes, const std::string& name, std::shared_
   rows.stride = -static_cast<std::ptrdiff_t>(rows.row_values() * sizeof(float));
   rows.top = reinterpret_cast<const std::byte*>(data.data()) - (file.height - 1) * rows.stride;
   rows.owner = std::move(owner);
+  note_rest(tokens, rows.contents);
   return rows;
 }
 
-ImageFile from_pfm(std::string_view bytes, const std::string& name) {
-  return image_of(pfm_rows(bytes, name, nullptr));
-}
-
-ImageFile from_ppm(std::string_view bytes, const std::string& name) {
-  Tokens tokens(bytes, name);
+ImageFile from_netpbm(std::string_view bytes, const std::string& name, const ReadLimits& limits) {
+  NetpbmTokens tokens(bytes, name);
   const std::string_view magic = tokens.word();
-  if (magic != "P3" && magic != "P6") tokens.fail("is no PPM file of type P3 or P6");
-  ImageFile file = sized(tokens, 3);
-  const int most = tokens.number<int>();
-  if (most < 1 || most > 65535) tokens.fail("its largest value is out of range");
-  file.sample = most > 255 ? Sample::bits16 : Sample::bits8;
-  file.values.reserve(value_count(file));
-  if (magic == "P3") {
-    for (std::size_t i = 0; i < value_count(file); ++i) {
-      const int value = tokens.number<int>();
-      if (value < 0 || value > most)
-        tokens.fail("found value " + std::to_string(value) + ", expected 0 to " + std::to_string(most));
-      file.values.push_back(static_cast<float>(value) / static_cast<float>(most));
-    }
-    return file;
+  if (magic.size() != 2 || magic[0] != 'P' || magic[1] < '1' || magic[1] > '6')
+    tokens.fail("is no PPM file of type P1 to P6");
+  const int type = magic[1] - '0';
+  const bool is_text = type <= 3, is_colour = type % 3 == 0;
+  ImageFile file = sized(tokens, is_colour ? 3 : 1, name, limits);
+  file.contents.channels = usual_channels(file.channels);
+  file.sample = Sample::bits8;
+  if (type % 3 == 1) {
+    read_bits(tokens, is_text, file);
+  } else {
+    const int most = tokens.number<int>();
+    if (most < 1 || most > 65535) tokens.fail("its largest value is out of range");
+    if (most > 255) file.sample = Sample::bits16;
+    is_text ? read_text(tokens, most, file) : read_bytes(tokens, most, file);
   }
-  const std::string_view data = tokens.data();
-  const std::size_t width = most > 255 ? 2 : 1;
-  if (data.size() < value_count(file) * width) tokens.fail("it ends too early: the file is truncated");
-  for (std::size_t i = 0; i < value_count(file); ++i) {
-    unsigned value = static_cast<unsigned char>(data[i * width]);
-    if (width == 2) value = value << 8 | static_cast<unsigned char>(data[i * 2 + 1]);
-    file.values.push_back(static_cast<float>(value) / static_cast<float>(most));
-  }
+  note_rest(tokens, file.contents);
   return file;
 }
 

@@ -1,4 +1,4 @@
-// PFM and PPM, read here so that no image library need be loaded for them.
+// PFM and the Netpbm formats, read here so that no image library need be loaded for them.
 #pragma once
 
 #include <memory>
@@ -7,14 +7,15 @@
 
 #include "tracer/image/image_file.hpp"
 #include "tracer/image/pixel_rows.hpp"
+#include "tracer/image/read_request.hpp"
 
 namespace plumb {
 
 /// Throw std::runtime_error saying what is wrong; `name` stands in the message.
-ImageFile from_pfm(std::string_view bytes, const std::string& name);
 /// Rows that lie in `bytes`, which `owner` keeps.
-PixelRows pfm_rows(std::string_view bytes, const std::string& name, std::shared_ptr<const void> owner);
-/// P3 and P6, 8 or 16 bits, with comments.
-ImageFile from_ppm(std::string_view bytes, const std::string& name);
+PixelRows pfm_rows(std::string_view bytes, const std::string& name, std::shared_ptr<const void> owner,
+                   const ReadLimits& limits);
+/// P1 to P6 (bitmaps, grey and colour, as text or bytes of 8 or 16 bits), with comments.
+ImageFile from_netpbm(std::string_view bytes, const std::string& name, const ReadLimits& limits);
 
 }  // namespace plumb

@@ -20,13 +20,6 @@ lib::ImageSpec spec_for(int width, int height, Depth depth) {
   return spec;
 }
 
-Sample sample_of(const lib::TypeDesc& format) {
-  if (format.basetype == lib::TypeDesc::UINT8 || format.basetype == lib::TypeDesc::INT8) return Sample::bits8;
-  if (format.basetype == lib::TypeDesc::UINT16 || format.basetype == lib::TypeDesc::INT16)
-    return Sample::bits16;
-  return format.basetype == lib::TypeDesc::HALF ? Sample::half : Sample::float32;
-}
-
 /// What OpenImageIO writes goes on to the file. It does not notice a full disk, and its codecs in C let no
 /// exception through: a failure is kept for rethrow().
 class Proxy final : public lib::Filesystem::IOProxy {
@@ -95,6 +88,47 @@ class Writer final : public RowWriter<float> {
   int next_ = 0;
 };
 
+const char* name_of(Kind kind) {
+  switch (kind) {
+    case Kind::bmp:
+      return "bmp";
+    case Kind::tga:
+      return "targa";
+    case Kind::jpeg:
+      return "jpeg";
+    default:
+      return "hdr";
+  }
+}
+
+Shape shape_of(const lib::ImageSpec& spec) {
+  const bool is_byte = spec.format == lib::TypeDesc::UINT8;
+  Shape shape{spec.width,
+              spec.height,
+              spec.nchannels,
+              is_byte ? Component::byte : Component::float32,
+              is_byte ? Sample::bits8 : Sample::float32,
+              {}};
+  shape.contents.channels = spec.channelnames;
+  return shape;
+}
+
+/// By the reader of that kind alone: no other one is tried.
+std::string read(std::string_view bytes, Kind kind, Canvas& canvas) {
+  const auto in = lib::ImageInput::create(name_of(kind));
+  if (!in) return lib::geterror();
+  lib::Filesystem::IOMemReader memory(bytes.data(), bytes.size());
+  if (!in->set_ioproxy(&memory)) return "OpenImageIO cannot read this kind from memory";
+  lib::ImageSpec spec, as_it_is;
+  as_it_is.attribute("oiio:UnassociatedAlpha", 1);  // colours as they stand in the file
+  if (!in->open(name_of(kind), spec, as_it_is)) return in->geterror();
+  const Shape shape = shape_of(spec);
+  std::byte* const pixels = canvas.rows_for(shape);
+  const auto type = shape.component == Component::byte ? lib::TypeDesc::UINT8 : lib::TypeDesc::FLOAT;
+  if (!in->read_image(0, 0, 0, spec.nchannels, type, pixels)) return in->geterror();
+  return in->has_error() ? in->geterror() : "";
+}
+
 /// Everything in the calling thread: with idle threads of OpenImageIO and OpenEXR at the end of the process
 /// the leak checker crashed now and then (compare OpenImageIO, issue 3851).
 void use_no_threads() {
@@ -119,24 +153,14 @@ std::unique_ptr<plumb::RowWriter<float>> plumb_oiio_write(plumb::ByteSink& file,
   return std::make_unique<plumb::oiio::Writer>(file, path, plumb::oiio::spec_for(width, height, depth));
 }
 
-std::string plumb_oiio_read(const std::string& path, plumb::ImageFile& pixels) {
+void plumb_oiio_prepare() {
   plumb::oiio::use_no_threads();
-  const auto in = plumb::oiio::lib::ImageInput::open(path);
-  if (!in) return plumb::oiio::lib::geterror();
-  const auto& spec = in->spec();
-  constexpr double most_values = 4.0 * (1 << 28);
-  if (static_cast<double>(spec.width) * spec.height * spec.nchannels > most_values)
-    return "its size is out of range";
-  pixels.width = spec.width;
-  pixels.height = spec.height;
-  pixels.channels = spec.nchannels;
-  pixels.sample = plumb::oiio::sample_of(spec.format);
-  pixels.values.resize(static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height) *
-                       static_cast<std::size_t>(spec.nchannels));
-  if (!in->read_image(0, 0, 0, spec.nchannels, plumb::oiio::lib::TypeDesc::FLOAT, pixels.values.data())) {
-    return in->geterror();
-  }
-  return {};
+  for (const plumb::Kind kind : {plumb::Kind::bmp, plumb::Kind::tga, plumb::Kind::jpeg, plumb::Kind::hdr})
+    static_cast<void>(plumb::oiio::lib::ImageInput::create(plumb::oiio::name_of(kind)));
+}
+
+std::string plumb_oiio_read(std::string_view bytes, plumb::Kind kind, plumb::Canvas& canvas) {
+  return plumb::oiio::read(bytes, kind, canvas);
 }
 
 #pragma GCC diagnostic pop

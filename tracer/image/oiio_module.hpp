@@ -4,9 +4,11 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "tracer/image/byte_sink.hpp"
-#include "tracer/image/image_file.hpp"
+#include "tracer/image/canvas.hpp"
+#include "tracer/image/kind.hpp"
 #include "tracer/image/row_writer.hpp"
 
 namespace plumb::oiio {
@@ -17,11 +19,14 @@ enum class Depth { float32, bits16 };
 /// std::runtime_error naming the path.
 using Write = std::unique_ptr<RowWriter<float>> (*)(ByteSink& file, const std::string& path, int width,
                                                     int height, Depth depth);
-/// Returns an empty string, or what went wrong.
-using Read = std::string (*)(const std::string& path, ImageFile& pixels);
+/// For the confined process alone: what needs threads and files, before they are forbidden.
+using Prepare = void (*)();
+/// Of a kind that is known already. Returns an empty string, or what went wrong.
+using Read = std::string (*)(std::string_view bytes, Kind kind, Canvas& canvas);
 
 inline constexpr const char* module_name = "plumb_openimageio.so";
 inline constexpr const char* write_symbol = "plumb_oiio_write";
+inline constexpr const char* prepare_symbol = "plumb_oiio_prepare";
 inline constexpr const char* read_symbol = "plumb_oiio_read";
 
 }  // namespace plumb::oiio

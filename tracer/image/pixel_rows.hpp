@@ -16,6 +16,7 @@ struct PixelRows {
   int channels = 0;
   Sample sample = Sample::float32;  ///< bits8 or float32 in memory; what the file held
   bool is_bytes = false;            ///< 8 bits a component in memory, otherwise float32
+  bool is_double = false;           ///< float64 in memory: values that float32 does not hold
   bool is_big_endian = false;       ///< of floats
   std::vector<std::size_t> planes;  ///< byte offset of each channel in a row; empty when interleaved
   const std::byte* top = nullptr;   ///< row 0; not aligned to anything
@@ -29,9 +30,14 @@ struct PixelRows {
   const std::byte* row(int y) const { return top + y * stride; }
   /// Interleaved native float32 of row y, not aligned: where they lie, or made in `scratch`.
   const std::byte* floats(int y, std::vector<float>& scratch) const;
-  /// The same, copied to `out`.
+  /// The same, copied to `out`. Doubles are rounded.
   void copy_row(int y, float* out) const;
+  /// As they are in the file.
+  void copy_row(int y, double* out) const;
 };
+
+/// Of these channels alone, by their places and in this order.
+PixelRows with_channels(const PixelRows& rows, const std::vector<std::size_t>& places);
 
 /// Takes the values over.
 PixelRows rows_of(ImageFile&& file);

@@ -1,51 +1,47 @@
 // Float scanline OpenEXR, uncompressed or ZIP: OpenEXRCore reads the header and finds the chunks.
 // Uncompressed ones are looked at in place; the others go through libdeflate, which is faster than zlib.
 #include <libdeflate.h>
-#include <openexr.h>
 
 #include <algorithm>
 #include <cstdint>
+#include <cstring>
 #include <string_view>
 
 #include "tracer/image/codecs/codecs.hpp"
 #include "tracer/image/codecs/damage.hpp"
+#include "tracer/image/codecs/exr_file.hpp"
 
 namespace plumb::codecs {
 namespace {
 
 class Exr {
  public:
-  explicit Exr(const std::string& path) {
-    exr_context_initializer_t quiet = EXR_DEFAULT_CONTEXT_INITIALIZER;
-    quiet.error_handler_fn = [](exr_const_context_t, exr_result_t, const char*) {};
-    if (exr_start_read(&context_, path.c_str(), &quiet) != EXR_ERR_SUCCESS) context_ = nullptr;
-  }
-  ~Exr() {
-    if (context_ != nullptr) exr_finish(&context_);
-  }
-  Exr(const Exr&) = delete;
-  Exr& operator=(const Exr&) = delete;
+  explicit Exr(const Source& source) : file_(source.file->bytes()), context_(file_.get()) {}
 
   /// One part of scanlines, all channels float at full resolution, in rows of a known meaning.
-  bool describe(PixelRows& rows) {
+  bool describe(const Source& source, PixelRows& rows) {
     int parts = 0;
     exr_storage_t storage{};
-    exr_attr_box2i_t window{};
+    exr_attr_box2i_t window{}, display{};
     const exr_attr_chlist_t* channels = nullptr;
     if (context_ == nullptr || exr_get_count(context_, &parts) != 0 || parts != 1) return false;
     if (exr_get_storage(context_, 0, &storage) != 0 || storage != EXR_STORAGE_SCANLINE) return false;
-    if (exr_get_data_window(context_, 0, &window) != 0 || exr_get_channels(context_, 0, &channels) != 0 ||
+    if (exr_get_data_window(context_, 0, &window) != 0 ||
+        exr_get_display_window(context_, 0, &display) != 0 || exr_get_channels(context_, 0, &channels) != 0 ||
         exr_get_compression(context_, 0, &compression_) != 0 ||
         exr_get_scanlines_per_chunk(context_, 0, &lines_) != 0)
       return false;
-    constexpr std::int64_t most = 1 << 20;
     const std::int64_t width = std::int64_t{window.max.x} - window.min.x + 1;
     const std::int64_t height = std::int64_t{window.max.y} - window.min.y + 1;
-    if (width < 1 || height < 1 || width > most || height > most || width * height > (most << 8))
-      return false;
+    if (std::memcmp(&window, &display, sizeof window) != 0) return false;
+    const bool is_in_place = compression_ == EXR_COMPRESSION_NONE;
+    source.limits.check(source.path, width, height,
+                        is_in_place ? 0 : std::int64_t{channels->num_channels} * std::int64_t{sizeof(float)});
     rows.width = static_cast<int>(width);
     rows.height = static_cast<int>(height);
     first_line_ = window.min.y;
+    rows.contents.window = rows.contents.display =
+        Window{window.min.x, window.min.y, rows.width, rows.height};
     return order_channels(*channels, rows);
   }
 
@@ -70,14 +66,17 @@ class Exr {
       names += e.name.str[0];
     }
     const std::string wanted = names == "BGR" ? "RGB" : names == "ABGR" ? "RGBA" : names == "Y" ? "Y" : "";
-    for (const char name : wanted)
+    for (const char name : wanted) {
+      rows.contents.channels.emplace_back(1, name);
       rows.planes.push_back(names.find(name) * static_cast<std::size_t>(rows.width) * sizeof(float));
+    }
     rows.channels = static_cast<int>(wanted.size());
     rows.stride = static_cast<std::ptrdiff_t>(rows.row_values() * sizeof(float));
     return !wanted.empty();
   }
 
-  exr_context_t context_ = nullptr;
+  ExrFile file_;
+  exr_context_t context_;
   exr_compression_t compression_{};
   int lines_ = 1;
   int first_line_ = 0;
@@ -150,9 +149,10 @@ void inflate(const Exr& exr, const Source& source, PixelRows& rows) {
 }  // namespace
 
 bool open_exr(const Source& source, PixelRows& rows) {
-  Exr exr(source.path);
+  if (!source.part.empty()) return false;
+  Exr exr(source);
   PixelRows found;
-  if (!exr.describe(found)) return false;
+  if (!exr.describe(source, found)) return false;
   const exr_compression_t kind = exr.compression();
   if (kind == EXR_COMPRESSION_ZIP || kind == EXR_COMPRESSION_ZIPS)
     inflate(exr, source, found);

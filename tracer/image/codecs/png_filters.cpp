@@ -3,6 +3,7 @@
 #include <emmintrin.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <cstring>
 #include <vector>
 
@@ -119,6 +120,21 @@ void undo_paeth(Byte* row, const Byte* up, std::size_t size) {
   }
 }
 
+/// PNG, section 9.4, as it stands there; for pixels that fill more than a register's half.
+template <std::size_t step>
+void undo_wide_paeth(Byte* row, const Byte* up, std::size_t size) {
+  for (std::size_t x = 0; x < size; ++x) {
+    const int left = x < step ? 0 : row[x - step], above = up[x], corner = x < step ? 0 : up[x - step];
+    const int p = left + above - corner;
+    const int from_left = std::abs(p - left), from_above = std::abs(p - above),
+              from_corner = std::abs(p - corner);
+    const int nearest = from_left <= from_above && from_left <= from_corner ? left
+                        : from_above <= from_corner                         ? above
+                                                                            : corner;
+    row[x] = static_cast<Byte>(row[x] + nearest);
+  }
+}
+
 template <std::size_t step>
 void undo(Byte filter, Byte* row, const Byte* up, std::size_t size) {
   if (filter == 1) undo_each<step>(row, up, size, [](int left, int) { return left; });
@@ -126,15 +142,39 @@ void undo(Byte filter, Byte* row, const Byte* up, std::size_t size) {
     for (std::size_t i = 0; i < size; ++i) row[i] = static_cast<Byte>(row[i] + up[i]);
   }
   if (filter == 3) undo_each<step>(row, up, size, [](int left, int above) { return (left + above) / 2; });
-  if (filter == 4) undo_paeth<step>(row, up, size);
+  if (filter != 4) return;
+  if constexpr (step <= 4) {
+    undo_paeth<step>(row, up, size);
+  } else {
+    undo_wide_paeth<step>(row, up, size);
+  }
+}
+
+using Undo = void (*)(Byte filter, Byte* row, const Byte* up, std::size_t size);
+
+Undo undo_for(std::size_t step) {
+  switch (step) {
+    case 1:
+      return undo<1>;
+    case 2:
+      return undo<2>;
+    case 3:
+      return undo<3>;
+    case 4:
+      return undo<4>;
+    case 6:
+      return undo<6>;
+    default:
+      return undo<8>;
+  }
 }
 
 }  // namespace
 
-bool undo_filters(Byte* bytes, std::size_t size, std::size_t height, std::size_t channels) {
+bool undo_filters(Byte* bytes, std::size_t size, std::size_t height, std::size_t step) {
   const std::vector<Byte> black(size);
   const Byte* up = black.data();
-  const auto one = channels == 1 ? undo<1> : undo<3>;
+  const Undo one = undo_for(step);
   for (std::size_t y = 0; y < height; ++y) {
     Byte* const row = bytes + y * (size + 1);
     if (row[0] > 4) return false;

@@ -7,7 +7,7 @@
 namespace plumb::codecs {
 
 /// Undoes the filters in place. Each of the `height` rows is the number of its filter and then `size` bytes,
-/// whole pixels of 1 or 3 channels of 8 bits. False when there is no such filter.
-bool undo_filters(std::uint8_t* bytes, std::size_t size, std::size_t height, std::size_t channels);
+/// whole pixels of `step` bytes: 1, 2, 3, 4, 6 or 8. False when there is no such filter.
+bool undo_filters(std::uint8_t* bytes, std::size_t size, std::size_t height, std::size_t step);
 
 }  // namespace plumb::codecs

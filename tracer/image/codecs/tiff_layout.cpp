@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <set>
 #include <string_view>
 
 #include "tracer/image/codecs/damage.hpp"
@@ -34,15 +35,17 @@ class Layout {
         is_long_(number(2, 2, "header") == 43),
         word_(is_long_ ? 8 : 4) {}
 
-  void check() const {
+  void check() {
     std::uint64_t at = number(word_, word_, "header");
-    // A chain that does not end is a ring; libtiff deals with it.
-    for (int i = 0; at != 0 && i < 1 << 16; ++i) at = check_directory(at);
+    // A chain that does not end is a ring.
+    constexpr std::size_t most = 1 << 16;
+    std::set<std::uint64_t> seen;
+    while (at != 0 && seen.size() < most && seen.insert(at).second) at = check_directory(at);
   }
 
  private:
   /// The offset of the next directory.
-  std::uint64_t check_directory(std::uint64_t at) const {
+  std::uint64_t check_directory(std::uint64_t at) {
     const std::uint64_t head = is_long_ ? 8 : 2, entry = is_long_ ? 20 : 12;
     const std::uint64_t entries = number(at, head, "directory");
     expect(at + head, entries, entry, "directory");
@@ -66,8 +69,12 @@ class Layout {
     if (tag == 325) tiles.counts = values;
   }
 
-  void check_pieces(const Pieces& pieces, const std::string& name) const {
+  /// Pages that share their lists of pieces could make a short file take hours.
+  void check_pieces(const Pieces& pieces, const std::string& name) {
     const std::uint64_t count = std::min(pieces.offsets.count, pieces.counts.count);
+    pieces_ += count;
+    if (pieces_ > file_.size())
+      refuse_damaged(path_, "found more " + name + "s than the file has bytes, in pages that share them");
     for (std::uint64_t i = 0; i < count; ++i)
       expect(value(pieces.offsets, i), value(pieces.counts, i), 1, name + " " + std::to_string(i));
   }
@@ -98,15 +105,10 @@ class Layout {
   bool is_big_endian_;
   bool is_long_;
   std::uint64_t word_;  ///< bytes of an offset
+  std::uint64_t pieces_ = 0;
 };
 
 }  // namespace
-
-bool is_tiff(const Source& source) {
-  using namespace std::string_view_literals;
-  const std::string_view head = source.file->bytes().substr(0, 4);
-  return head == "II\x2a\0"sv || head == "MM\0\x2a"sv || head == "II\x2b\0"sv || head == "MM\0\x2b"sv;
-}
 
 void expect_whole_tiff(const Source& source) { Layout(source).check(); }
 

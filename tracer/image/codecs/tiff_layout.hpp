@@ -6,9 +6,6 @@
 
 namespace plumb::codecs {
 
-/// By the first four bytes.
-bool is_tiff(const Source& source);
-
 /// Checks every directory of a TIFF: its entries, their values and all strips and tiles. Throws
 /// std::runtime_error naming the file, what lies outside and where.
 void expect_whole_tiff(const Source& source);

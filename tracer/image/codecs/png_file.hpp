@@ -1,0 +1,36 @@
+// What the chunks of a PNG say (W3C, second edition).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "tracer/image/codecs/codecs.hpp"
+
+namespace plumb::codecs {
+
+enum class PngColour { grey = 0, rgb = 2, palette = 3, grey_alpha = 4, rgb_alpha = 6 };
+
+struct Png {
+  std::uint32_t width = 0;
+  std::uint32_t height = 0;
+  unsigned depth = 0;  ///< bits of a sample
+  PngColour colour = PngColour::grey;
+  bool is_interlaced = false;
+  bool is_animated = false;
+  std::string_view palette;       ///< r g b, of 8 bits
+  std::string_view transparency;  ///< alphas of a palette, or the one colour that is transparent
+  std::string deflated;
+
+  std::size_t samples() const;  ///< of a pixel in the file
+  std::size_t row_bytes(std::size_t pixels) const { return (pixels * samples() * depth + 7) / 8; }
+  bool is_transparent() const { return !transparency.empty(); }
+  /// Channels once a palette is looked up and a transparent colour has become alpha.
+  std::size_t channels() const;
+};
+
+/// Throws naming the file when it isn't whole or its header makes no sense. The check sums are right then.
+Png read_png_chunks(const Source& source);
+
+}  // namespace plumb::codecs

@@ -1,0 +1,223 @@
+#include "tracer/image/confined_decoder.hpp"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <cstring>
+#include <filesystem>
+#include <system_error>
+
+#include "tracer/image/decoded_message.hpp"
+#include "tracer/image/descriptor.hpp"
+
+extern char** environ;
+
+namespace plumb {
+namespace {
+
+[[noreturn]] void fail(const char* what) {
+  throw std::system_error(errno, std::generic_category(),
+                          std::string("a picture cannot be decoded: ") + what);
+}
+
+/// Above those that the process gets: duplicating them then overwrites none.
+int moved_up(int number, const char* what) {
+  constexpr int free_from = 10;
+  if (number < 0) fail(what);
+  const Descriptor low(number);
+  const int high = ::fcntl(number, F_DUPFD_CLOEXEC, free_from);
+  if (high < 0) fail(what);
+  return high;
+}
+
+void write_all(int file, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(file, bytes.data(), bytes.size());
+    if (written < 0 && errno != EINTR) fail("no memory for what a pipe held");
+    if (written > 0) bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+}
+
+/// The file, or the bytes of what can be read but once.
+int source_of(const std::string& path, const MappedFile& file) {
+  struct stat info {};
+  if (::stat(path.c_str(), &info) == 0 && S_ISREG(info.st_mode))
+    return moved_up(::open(path.c_str(), O_RDONLY | O_CLOEXEC), "the file cannot be opened again");
+  const int memory = moved_up(::memfd_create("picture", MFD_CLOEXEC), "memfd_create");
+  write_all(memory, file.bytes());
+  return memory;
+}
+
+struct Pipe {
+  Pipe() {
+    std::array<int, 2> ends{};
+    if (::pipe2(ends.data(), O_CLOEXEC) != 0) fail("pipe");
+    from = ends[0];
+    to = moved_up(ends[1], "pipe");
+  }
+  int from;
+  int to;
+};
+
+class Child {
+ public:
+  Child(const std::vector<std::string>& command, int source, int pixels, int message) {
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
+    posix_spawn_file_actions_adddup2(&actions, message, 1);
+    posix_spawn_file_actions_addopen(&actions, 2, "/dev/null", O_WRONLY, 0);
+    posix_spawn_file_actions_adddup2(&actions, source, 3);
+    posix_spawn_file_actions_adddup2(&actions, pixels, 4);
+    std::vector<char*> arguments;
+    for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
+    arguments.push_back(nullptr);
+    const int error = ::posix_spawn(&process_, arguments[0], &actions, nullptr, arguments.data(), environ);
+    posix_spawn_file_actions_destroy(&actions);
+    if (error != 0) {
+      errno = error;
+      fail((command[0] + " cannot be run").c_str());
+    }
+  }
+  ~Child() {
+    if (process_ > 0) {
+      ::kill(process_, SIGKILL);
+      wait();
+    }
+  }
+  Child(const Child&) = delete;
+  Child& operator=(const Child&) = delete;
+
+  void kill() const { ::kill(process_, SIGKILL); }
+  /// As waitpid says it.
+  int wait() {
+    int status = 0;
+    while (::waitpid(process_, &status, 0) < 0 && errno == EINTR) {
+    }
+    process_ = -1;
+    return status;
+  }
+
+ private:
+  pid_t process_ = -1;
+};
+
+/// Everything up to the end; nothing once the time is over or it is longer than any true message.
+std::optional<std::string> read_message(int from, int seconds) {
+  constexpr std::size_t most = std::size_t{1} << 20;
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(seconds);
+  std::string message;
+  while (message.size() < most) {
+    const auto left =
+        std::chrono::duration_cast<std::chrono::milliseconds>(end - std::chrono::steady_clock::now()).count();
+    pollfd waited{from, POLLIN, 0};
+    if (left <= 0) return std::nullopt;
+    if (::poll(&waited, 1, static_cast<int>(left)) < 0 && errno != EINTR) return std::nullopt;
+    if (waited.revents == 0) continue;
+    std::array<char, 4096> bytes;
+    const ssize_t got = ::read(from, bytes.data(), bytes.size());
+    if (got == 0) return message;
+    if (got > 0) message.append(bytes.data(), static_cast<std::size_t>(got));
+  }
+  return std::nullopt;
+}
+
+struct Mapping {
+  Mapping(int file, std::size_t length)
+      : bytes(::mmap(nullptr, length, PROT_READ, MAP_PRIVATE, file, 0)), size(length) {
+    if (bytes == MAP_FAILED) fail("its pixels cannot be mapped");
+  }
+  ~Mapping() { ::munmap(bytes, size); }
+  Mapping(const Mapping&) = delete;
+  Mapping& operator=(const Mapping&) = delete;
+  void* bytes;
+  std::size_t size;
+};
+
+/// Nobody but us has the pixels' memory by now.
+PixelRows rows_of(const std::string& path, const Shape& shape, int pixels, const ReadLimits& limits) {
+  const std::size_t component = size_of(shape.component);
+  const auto pixel = static_cast<std::size_t>(shape.channels) * component;
+  limits.check(path, shape.width, shape.height, static_cast<std::int64_t>(pixel));
+  const std::size_t row = static_cast<std::size_t>(shape.width) * pixel;
+  const std::size_t size = row * static_cast<std::size_t>(shape.height);
+  struct stat info {};
+  if (::fstat(pixels, &info) != 0 || static_cast<std::size_t>(info.st_size) != size)
+    throw std::runtime_error(path + ": cannot be read: its decoder gave other pixels than it announced");
+  const auto mapping = std::make_shared<const Mapping>(pixels, size);
+  PixelRows rows;
+  rows.width = shape.width;
+  rows.height = shape.height;
+  rows.channels = shape.channels;
+  rows.sample = shape.sample;
+  rows.is_bytes = shape.component == Component::byte;
+  rows.is_double = shape.component == Component::float64;
+  rows.stride = static_cast<std::ptrdiff_t>(row);
+  rows.top = static_cast<const std::byte*>(mapping->bytes);
+  rows.owner = mapping;
+  rows.contents = shape.contents;
+  return rows;
+}
+
+std::string ending(int status) {
+  if (WIFSIGNALED(status)) return "crashed (" + std::string(::strsignal(WTERMSIG(status))) + ")";
+  return "ended with exit code " + std::to_string(WEXITSTATUS(status));
+}
+
+/// Its words, with the file's name in them.
+std::string said_of(const std::string& path, const std::string& why) {
+  return why.starts_with(decoder_path) ? path + why.substr(1) : path + ": cannot be read: " + why;
+}
+
+/// 10 s, and more where the file itself is long: the slowest decoders make some 20 MB a second.
+int seconds_for(const MappedFile& file) {
+  constexpr std::size_t bytes_a_second = 20'000'000;
+  return 10 + static_cast<int>(file.bytes().size() / bytes_a_second);
+}
+
+}  // namespace
+
+PixelRows decode_confined(const std::string& path, const MappedFile& file, Kind kind,
+                          const ReadRequest& request, const ReadLimits& limits) {
+  const Descriptor source(source_of(path, file));
+  const Descriptor pixels(moved_up(::memfd_create("pixels", MFD_CLOEXEC), "memfd_create"));
+  const auto program = std::filesystem::read_symlink("/proc/self/exe").parent_path() / decoder_name;
+  const int seconds = seconds_for(file);
+  Pipe pipe;
+  const Descriptor from(pipe.from);
+  Child child({program.string(), std::to_string(static_cast<int>(kind)), request.part,
+               std::to_string(limits.pixels), std::to_string(limits.bytes), std::to_string(seconds)},
+              source.number(), pixels.number(), pipe.to);
+  ::close(pipe.to);
+  // Waiting longer than it may compute: the machine may have other things to do.
+  const auto message = read_message(from.number(), 2 * seconds);
+  if (!message) child.kill();
+  const int status = child.wait();
+  const bool is_late = !message || (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU);
+  if (is_late)
+    throw std::runtime_error(path + ": cannot be read: decoding it took more than " +
+                             std::to_string(seconds) +
+                             " s, so it was given up; it is damaged, or made to take long");
+  const auto decoded = decoded_message(*message);
+  if (WIFEXITED(status) && WEXITSTATUS(status) == exit_without_module)
+    throw std::system_error(ENOENT, std::generic_category(), decoded ? decoded->why : program.string());
+  if (status != 0 || !decoded)
+    throw std::runtime_error(path + ": cannot be read, it is damaged: its decoder " + ending(status) +
+                             " on it; write it again, or as PNG or OpenEXR");
+  if (decoded->outcome == DecodedMessage::Outcome::too_large)
+    throw PictureTooLarge(said_of(path, decoded->why), decoded->width, decoded->height);
+  if (decoded->outcome == DecodedMessage::Outcome::refused)
+    throw std::runtime_error(said_of(path, decoded->why));
+  return rows_of(path, decoded->shape, pixels.number(), limits);
+}
+
+}  // namespace plumb
