@@ -5,6 +5,7 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "references/comparison_exact.hpp"
 #include "references/comparison_kernels.hpp"
 
 namespace plumb::references {
@@ -130,10 +131,22 @@ Comparison compare_masked(const PixelRows& reference, const PixelRows& test, Lim
   return comparison_of(tally, pixels, reference, test);
 }
 
+Comparison compare_exactly(const PixelRows& reference, const PixelRows& test, Limit limit,
+                           const PixelMask& mask) {
+  const std::size_t pixels =
+      mask.has_all() ? static_cast<std::size_t>(reference.width) * static_cast<std::size_t>(reference.height)
+                     : mask.count();
+  if (pixels == 0) throw std::invalid_argument("expected a mask that leaves at least one pixel");
+  comparison_kernels::Tally tally;
+  add_exactly(tally, reference, test, limit, mask);
+  return comparison_of(tally, pixels, reference, test);
+}
+
 }  // namespace
 
 Comparison compare(const PixelRows& reference, const PixelRows& test, Limit limit, const PixelMask& mask) {
   expect_valid(limit);
+  if (needs_doubles(reference, test)) return compare_exactly(reference, test, limit, mask);
   if (!mask.has_all()) return compare_masked(reference, test, limit, mask);
   comparison_kernels::Tally tally;
   std::vector<float> reference_scratch;

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <numeric>
 
+#include "references/comparison_exact.hpp"
 #include "references/hypothesis.hpp"
 
 namespace plumb::references {
@@ -211,7 +212,8 @@ std::optional<LikelyCause> likely_cause(const PixelRows& reference, const PixelR
   const auto finite = static_cast<double>((comparison.pixels - comparison.non_finite) *
                                           static_cast<std::size_t>(reference.channels));
   const double before = comparison.rms_error * comparison.rms_error * finite;
-  if (!(before > 0)) return std::nullopt;  // what differs is not finite
+  if (!(before > 0)) return std::nullopt;                   // what differs is not finite
+  if (needs_doubles(reference, test)) return std::nullopt;  // nor the accidents of colours
   constexpr double share_left = 0.01;
   std::optional<LikelyCause> best;
   Trial trial(reference, test, tolerance);
@@ -227,21 +229,6 @@ std::optional<LikelyCause> likely_cause(const PixelRows& reference, const PixelR
     if (!best || cause.removed > best->removed) best = cause;
   }
   return best;
-}
-
-std::optional<std::string> shape_mismatch(const PixelRows& reference, const PixelRows& test) {
-  if (reference.width != test.width || reference.height != test.height) {
-    if (reference.width == test.height && reference.height == test.width)
-      return "width and height are swapped: the picture is transposed or turned by 90 degrees";
-    return "render both in one size";
-  }
-  const auto is = [&](int r, int t) { return reference.channels == r && test.channels == t; };
-  if (is(3, 4) || is(1, 2)) return "the test picture has an alpha channel: write it without";
-  if (is(4, 3) || is(2, 1)) return "the reference has an alpha channel: write it without";
-  if (is(3, 1)) return "the test picture is grey";
-  if (is(1, 3)) return "the reference is grey";
-  if (reference.channels != test.channels) return "write the same channels in both";
-  return std::nullopt;
 }
 
 }  // namespace plumb::references

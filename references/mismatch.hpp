@@ -26,7 +26,4 @@ struct LikelyCause {
 std::optional<LikelyCause> likely_cause(const PixelRows& reference, const PixelRows& test, double tolerance,
                                         const Comparison& comparison);
 
-/// Why pictures of these shapes cannot be compared; nothing when they can.
-std::optional<std::string> shape_mismatch(const PixelRows& reference, const PixelRows& test);
-
 }  // namespace plumb::references

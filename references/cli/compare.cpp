@@ -5,11 +5,13 @@
 
 #include "references/cli/commands.hpp"
 #include "references/cli/compare_report.hpp"
+#include "references/cli/compared_contents.hpp"
 #include "references/cli/metrics.hpp"
 #include "references/cli/options.hpp"
 #include "references/cli/report.hpp"
 #include "references/comparison.hpp"
 #include "references/mismatch.hpp"
+#include "references/shape_mismatch.hpp"
 #include "tracer/image/io.hpp"
 
 namespace plumb::cli {
@@ -49,6 +51,8 @@ struct Findings {
   references::Comparison comparison;
   std::optional<references::LikelyCause> cause;
   std::optional<references::Metrics> metrics;
+  std::string contents;
+  Json contents_json;
 };
 
 void print(const Findings& findings) {
@@ -60,6 +64,7 @@ void print(const Findings& findings) {
               components(c.worst.test).c_str(), components(c.worst.reference).c_str());
   if (findings.metrics) std::fputs(metrics_table(*findings.metrics).c_str(), stdout);
   if (findings.cause) std::printf("likely cause: %s\n", cause_text(*findings.cause).c_str());
+  std::fputs(findings.contents.c_str(), stdout);
   std::printf("%s\n", c.agrees() ? "agree" : "differ");
 }
 
@@ -84,6 +89,7 @@ Json json_of(const Options& options, const PixelRows& test, const Findings& find
             {"width", test.width},
             {"height", test.height}};
   json.update(to_json(c));
+  json.update(findings.contents_json);
   json["worst"]["test"] = c.worst.test;
   if (findings.cause) json["likely_cause"] = to_json(*findings.cause);
   if (findings.metrics) json["metrics"] = to_json(*findings.metrics);
@@ -93,11 +99,15 @@ Json json_of(const Options& options, const PixelRows& test, const Findings& find
 int run_compare(const Options& options) {
   PixelRows reference = open_image(options.reference);
   PixelRows test = open_image(options.test);
+  references::leave_out_opaque_alpha(reference, test);
   refuse_if_unlike(options, reference, test);
-  Findings findings{references::compare(reference, test, options.tolerance), {}, {}};
+  const NamedRows named_reference{options.reference, reference}, named_test{options.test, test};
+  Findings findings{references::compare(reference, test, options.tolerance), {}, {}, {}, {}};
   const references::Comparison& c = findings.comparison;
   if (!c.agrees()) findings.cause = references::likely_cause(reference, test, options.tolerance, c);
   if (options.metrics) findings.metrics = metrics_of(reference, test);
+  findings.contents = contents_text(named_reference, named_test);
+  findings.contents_json = contents_json(named_reference, named_test);
   if (options.json != "-") print(findings);
   if (!options.json.empty()) write_json(options.json, json_of(options, test, findings));
   if (!options.report.empty()) {

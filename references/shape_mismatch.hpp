@@ -1,0 +1,19 @@
+// Whether two files hold pictures that can be compared value by value: sizes, windows, channels.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "tracer/image/pixel_rows.hpp"
+
+namespace plumb::references {
+
+/// Leaves out the alpha of one picture when the other has none and it is 1 everywhere: nothing is lost then.
+/// Says so in its `not_read`.
+void leave_out_opaque_alpha(PixelRows& reference, PixelRows& test);
+
+/// Why pictures of these shapes cannot be compared, for people; nothing when they can. Channels go by their
+/// roles: diffuse.R and LeR are R.
+std::optional<std::string> shape_mismatch(const PixelRows& reference, const PixelRows& test);
+
+}  // namespace plumb::references
