@@ -7,6 +7,9 @@
 namespace plumb::exporters {
 namespace {
 
+/// Stands for a coefficient of 0 that is divided by: nothing of it is seen beside a float32 of any picture.
+constexpr double least_tint = 0x1p-60;
+
 std::string sdl_with(const Rgbd& colour, double fourth) {
   return "<" + to_text(colour.x) + "," + to_text(colour.y) + "," + to_text(colour.z) + "," + to_text(fourth) +
          ">";
@@ -75,10 +78,9 @@ std::string povray_texture(const Material& material, const Rgbd& ambient) {
     layers.add_filter(material.ks / layers.beneath(), black);
     layers.add_shining(Rgbd(0), black + " phong 1" + size, true);
   } else if (!opaque && coloured_highlight) {
-    const Rgbd raised = material.ks + Rgbd(1);
-    layers.add_filter(raised / layers.beneath(), black);
-    layers.add_filter(-1.0 / raised, black + " phong 1" + size);
-    layers.add_filter(-material.transmit, black + " phong 1" + size);
+    const Rgbd tint = glm::max(material.ks, Rgbd(least_tint));
+    layers.add_filter(tint / layers.beneath(), black);
+    layers.add_filter(material.transmit / tint, black + " phong 1" + size);
   } else if (!opaque) {
     layers.add_filter(material.transmit / layers.beneath(), black);
   }
