@@ -61,6 +61,7 @@ struct Draft {
 
   std::vector<Place> materials;            ///< parallel to scene.materials
   std::vector<Place> shapes;               ///< parallel to scene.shapes
+  std::vector<Place> lights;               ///< parallel to scene.lights
   std::vector<Place> cameras;              ///< parallel to scene.cameras
   std::vector<MaterialUse> material_uses;  ///< of materials that were not defined before
   std::vector<ChildUse> child_uses;

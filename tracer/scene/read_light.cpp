@@ -23,6 +23,7 @@ void light_by_kind(Line& line, Tokens& tokens) {
   if (is_ambient) {
     line.draft().ambient_of_lights += vec3(*values, 0);
   } else if (line.is_new(line.draft().light_names, name, line.draft().scene.lights.size(), "light")) {
+    line.draft().lights.push_back(line.place_of(name));
     line.draft().scene.lights.push_back({std::string(name.text), vec3(*values, 0), vec3(*values, 3), 1});
   }
 }
@@ -71,6 +72,7 @@ void read_light(Line& line, const Token& keyword, Tokens& tokens) {
   if (const auto values = line.numbers(tokens, 0)) light_numbers(line, *name, *values, made);
   line.not_negative(*name, made.intensity(), "intensity");
   line.not_to_255(*name, made.color, "colour");
+  line.draft().lights.push_back(line.place_of(*name));
   line.draft().scene.lights.push_back(made);
 }
 

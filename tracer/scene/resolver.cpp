@@ -4,6 +4,7 @@
 #include "tracer/scene/check_hierarchy.hpp"
 #include "tracer/scene/draft.hpp"
 #include "tracer/scene/lexer.hpp"
+#include "tracer/scene/lights_on_surfaces.hpp"
 #include "tracer/scene/writer.hpp"
 
 namespace plumb {
@@ -216,6 +217,16 @@ void warn_of_emptiness(Draft& draft) {
   }
 }
 
+void warn_of_lights_on_surfaces(Draft& draft) {
+  if (draft.has_errors()) return;
+  for (const LightOnSurface& found : lights_on_surfaces(draft.scene)) {
+    draft.say(Severity::warning, draft.lights[found.light],
+              "light " + in_quotes(draft.scene.lights[found.light].name) +
+                  " lies exactly on the surface of " + in_quotes(draft.scene.shapes[found.shape].name) +
+                  ": at each point rounding decides whether that shape hides it; move it off the surface");
+  }
+}
+
 }  // namespace
 
 void Draft::use_material(ShapeId shape, const Reference& material) {
@@ -241,6 +252,7 @@ void resolve(Draft& draft, TransformOrder order) {
   resolve_refraction(draft);
   check_graph(draft);
   warn_of_emptiness(draft);
+  warn_of_lights_on_surfaces(draft);
 }
 
 }  // namespace plumb
