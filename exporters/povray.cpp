@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "exporters/povray_material.hpp"
+#include "exporters/ties.hpp"
 #include "tracer/scene/dielectrics.hpp"
 #include "tracer/scene/hierarchy.hpp"
 #include "tracer/scene/writer.hpp"
@@ -76,12 +77,13 @@ class Exporter {
                " }\n";
     }
     materials();
-    if (around.empty()) {
+    const bool decides_ties = write_ties_alike(pose.eye);
+    if (around.empty() && !decides_ties) {
       hierarchy();
     } else {
       flat(around);
     }
-    return {std::move(text_), !around.empty()};
+    return {std::move(text_), !around.empty() || decides_ties};
   }
 
  private:
@@ -174,12 +176,13 @@ class Exporter {
     return text + to_text(moved.x) + "," + to_text(moved.y) + "," + to_text(moved.z) + ">";
   }
 
-  std::string primitive(const Shape& shape, const std::string& rest, double shrunk) const {
+  template <class Geometry>
+  std::string primitive(const Geometry& geometry, const std::string& rest, double shrunk) const {
     const double s = space_.scale * shrunk;
-    if (const auto* sphere = std::get_if<Sphere>(&shape.geometry)) {
+    if (const auto* sphere = std::get_if<Sphere>(&geometry)) {
       return "sphere { " + sdl(s * sphere->center) + ", " + to_text(s * sphere->radius) + rest + " }";
     }
-    const Box& box = std::get<Box>(shape.geometry);
+    const Box& box = std::get<Box>(geometry);
     return "box { " + sdl(s * box.min) + ", " + sdl(s * box.max) + rest + " }";
   }
 
@@ -187,9 +190,9 @@ class Exporter {
   std::string leaf(const Shape& shape, const Transform<double>& transform, bool is_root) const {
     const double shrunk = shrinking(transform.inverse);
     const std::string placed = matrix(transform.matrix, is_root, shrunk);
-    std::string text = primitive(shape, appearance(shape, Role::itself) + placed, shrunk);
+    std::string text = primitive(shape.geometry, appearance(shape, Role::itself) + placed, shrunk);
     if (casts_apart(shape)) {
-      text += " " + primitive(shape, appearance(shape, Role::shadow_caster) + placed, shrunk);
+      text += " " + primitive(shape.geometry, appearance(shape, Role::shadow_caster) + placed, shrunk);
     }
     return text;
   }
@@ -222,30 +225,41 @@ class Exporter {
     return "object { Composite_" + std::to_string(id) + matrix(transform.matrix, is_root) + " }";
   }
 
-  /// With the eye inside glass POV-Ray looks for the interiors among the top objects only, in their order.
+  /// Without bounding boxes POV-Ray takes the first of equally near hits, but tries all for every ray. In a
+  /// space of the caller's it is left to itself.
+  bool write_ties_alike(const Vec3d& eye) {
+    constexpr std::uint64_t most_instances = 256;
+    if (!space_.decides_ties) return false;
+    const std::vector<std::uint64_t> counts = count_instances(scene_);
+    std::uint64_t all = 0;
+    for (const ShapeId root : roots_) all = saturating_add(all, counts[root]);
+    if (all > most_instances) return false;
+    placed_ = placed_shapes(scene_);
+    return exporters::write_ties_alike(scene_, eye, space_.center, placed_);
+  }
+
+  void write(const PlacedShape& placed, Role role) {
+    const Shape& shape = scene_.shapes[placed.shape];
+    const double shrunk = shrinking(placed.world_from_object.inverse);
+    const std::string place = matrix(placed.world_from_object.matrix, !placed.is_centered, shrunk);
+    text_ += primitive(placed.geometry, appearance(shape, role) + place, shrunk) + " // " +
+             harmless(shape.name) + "\n";
+  }
+
+  /// With the eye inside glass POV-Ray looks for the interiors among the top objects only, in their order; of
+  /// what coincides it takes the first.
   void flat(const std::vector<EnclosingDielectric>& around) {
-    std::vector<Instance> instances;
-    for_each_instance(scene_, [&](const Instance& instance) { instances.push_back(instance); });
-    const auto material = [&](const Instance& i) -> const Material& {
-      return scene_.materials[*material_of(scene_.shapes[i.shape])];
-    };
-    const auto write = [&](const Instance& i, Role role) {
-      const Shape& shape = scene_.shapes[i.shape];
-      const double shrunk = shrinking(i.world_from_object.inverse);
-      const std::string placed = matrix(i.world_from_object.matrix, true, shrunk);
-      text_ +=
-          primitive(shape, appearance(shape, role) + placed, shrunk) + " // " + harmless(shape.name) + "\n";
-    };
-    for (const Instance& i : instances) {
-      if (casts_apart(material(i))) write(i, Role::shadow_caster);
+    if (placed_.empty()) placed_ = placed_shapes(scene_);
+    for (const PlacedShape& p : placed_) {
+      if (casts_apart(scene_.shapes[p.shape])) write(p, Role::shadow_caster);
     }
-    std::vector<bool> is_written(instances.size(), false);
+    std::vector<bool> is_written(placed_.size(), false);
     for (const EnclosingDielectric& d : around) {
-      write(instances[d.instance], Role::itself);
+      write(placed_[d.instance], Role::itself);
       is_written[d.instance] = true;
     }
-    for (std::size_t i = 0; i < instances.size(); ++i) {
-      if (!is_written[i]) write(instances[i], Role::itself);
+    for (std::size_t i = 0; i < placed_.size(); ++i) {
+      if (!is_written[i]) write(placed_[i], Role::itself);
     }
   }
 
@@ -256,6 +270,7 @@ class Exporter {
   const RenderOptions& options_;
   ExportSpace space_;
   std::vector<ShapeId> roots_;
+  std::vector<PlacedShape> placed_;  // when it is written shape by shape
   std::string text_;
 };
 

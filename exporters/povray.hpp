@@ -15,6 +15,8 @@ struct ExportSpace {
   /// Shapes that a matrix presses flat are made smaller in their own space, and their matrix larger: their
   /// own space is stretched, and POV-Ray meets no sphere farther than 1e7 there.
   bool shrinks_pressed = true;
+  /// Surfaces that coincide are written so that POV-Ray takes the one that plumb takes.
+  bool decides_ties = true;
 };
 
 /// POV-Ray's tolerances are absolute (1e-6 .. 1e-3), so the scene is made to span about 1e4 units.
@@ -22,15 +24,15 @@ ExportSpace export_space(const Scene& scene, const Camera& camera);
 
 struct PovrayExport {
   std::string text;         ///< deterministic; no name of the scene is part of the code
-  bool needs_flat_objects;  ///< the eye is inside glass: POV-Ray must run with -MB
+  bool needs_flat_objects;  ///< the eye is inside glass, or surfaces coincide: POV-Ray must run with -MB
 };
 
 /// Expects a scene as read_scene returns it without errors. The picture is width x height.
 PovrayExport export_povray(const Scene& scene, const Camera& camera, int width, int height,
                            const RenderOptions& options);
 
-/// The same in a space of the caller's: {1, 0, false} has the scene's own units, in which POV-Ray is at its
-/// weakest.
+/// The same in a space of the caller's: {1, 0, false, false} has the scene's own units, in which POV-Ray is
+/// at its weakest.
 PovrayExport export_povray(const Scene& scene, const Camera& camera, int width, int height,
                            const RenderOptions& options, const ExportSpace& space);
 

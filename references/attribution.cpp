@@ -347,7 +347,6 @@ std::string broken_bound(const Budget& budget, int width, int height) {
   const std::pair<Cause, std::size_t> bounds[] = {{Cause::silhouette, lines},
                                                   {Cause::shadow_edge, lines},
                                                   {Cause::secondary_edge, lines},
-                                                  {Cause::reference_tolerance, some},
                                                   {Cause::depth, some}};
   for (const auto& [cause, most] : bounds) {
     const std::size_t found = budget.count(cause);
@@ -356,7 +355,11 @@ std::string broken_bound(const Budget& budget, int width, int height) {
              std::to_string(most) + " are allowed";
     }
   }
-  return {};
+  if (100 * budget.unverified() <= pixels) return {};
+  return std::to_string(budget.unverified()) +
+         " pixels are unverified: the reference does not tell apart the surfaces that meet there, so nothing "
+         "says what colour ours has; at most " +
+         std::to_string(pixels / 100) + " are allowed, 1 % of the picture";
 }
 
 }  // namespace plumb::references

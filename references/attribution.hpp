@@ -42,6 +42,10 @@ struct Budget {
   std::size_t unexamined = 0;           ///< of the unexplained, those that were not tried to the end
 
   std::size_t count(Cause cause) const;
+  /// Where the reference shows another surface than ours, or another shadow, because two are nearer to each
+  /// other than it resolves: nobody but us said what colour our surface has there. (At an edge the pixels
+  /// beside it say so.)
+  std::size_t unverified() const { return count(Cause::coincident) + count(Cause::reference_tolerance); }
   /// What a reader of the counts must know when pixels were not examined; else empty.
   std::string note() const;
   std::size_t explained() const { return pixels.size() - count(Cause::unexplained); }
@@ -81,10 +85,9 @@ Budget attribute(const AttributionJob& job);
 
 /// The bound that a cause breaks, in words; empty when all hold. An edge meets pixel centres by chance at
 /// some points, or along a line when it runs along the pixels: two lines each way, and at most 16 and 5 % of
-/// the pixels, are allowed for each kind of edge. Of the pixels where rays start nearer to a surface than the
-/// reference resolves, or end at the depth limit, 16 and 1 %: more would be seen, and be the model.
-/// Coincident surfaces may fill a picture, and quantised values are each reproduced exactly, so these have no
-/// bound.
+/// the pixels, are allowed for each kind of edge. Of the pixels where rays end at the depth limit, 16 and
+/// 1 %: more would be seen, and be the model. Of the picture 1 % may be unverified. Quantised values are each
+/// reproduced exactly, so these have no bound.
 std::string broken_bound(const Budget& budget, int width, int height);
 
 }  // namespace plumb::references

@@ -21,7 +21,8 @@ int run_export(const Options& options) {
   const View view = view_of(scene, options.common);
   const auto exported = exporters::export_povray(scene, view.camera, view.size.width, view.size.height,
                                                  render_options_of(options.common));
-  if (exported.needs_flat_objects) warn("the eye is inside glass: run POV-Ray with -MB");
+  if (exported.needs_flat_objects)
+    warn("the eye is inside glass, or surfaces coincide: run POV-Ray with -MB");
   write_file(options.file, exported.text);
   return exit_agrees;
 }

@@ -86,6 +86,7 @@ Json scene_json(const SceneResult& r) {
   json["metrics"] = plumb::cli::to_json(r.metrics);
   json["budget"] = plumb::cli::to_json(r.budget);
   json["unexamined"] = r.budget.unexamined;
+  json["unverified"] = r.budget.unverified();
   json["shapes"] = r.budget.shapes;
   for (const references::TermResult& t : r.terms) json["terms"][references::to_string(t.term)] = to_json(t);
   if (r.judgement) json["judgement"] = plumb::cli::to_json(*r.judgement);
@@ -183,8 +184,8 @@ std::size_t name_width(const std::vector<std::string>& scenes) {
 }
 
 std::string table_head(std::size_t width) {
-  return formatted("%-*s %10s %10s %8s %7s  %s", static_cast<int>(width), "scene", "size", "error", "over",
-                   "unexpl.", "result");
+  return formatted("%-*s %10s %10s %8s %7s %7s  %s", static_cast<int>(width), "scene", "size", "error",
+                   "over", "unexpl.", "unver.", "result");
 }
 
 std::string table_row(const SceneResult& r, std::size_t width) {
@@ -194,10 +195,11 @@ std::string table_row(const SceneResult& r, std::size_t width) {
   const bool is_trouble = r.status == Status::error;
   const std::string size = is_trouble ? "-" : std::to_string(r.width) + "x" + std::to_string(r.height);
   if (is_trouble || !r.not_compared.empty()) {
-    row += formatted("%10s %10s %8s %7s  ", size.c_str(), "-", "-", "-");
+    row += formatted("%10s %10s %8s %7s %7s  ", size.c_str(), "-", "-", "-", "-");
   } else {
-    row += formatted("%10s %10.2g %8zu %7zu  ", size.c_str(), r.comparison.judged_error,
-                     r.comparison.pixels_over, r.budget.count(references::Cause::unexplained));
+    row += formatted("%10s %10.2g %8zu %7zu %7zu  ", size.c_str(), r.comparison.judged_error,
+                     r.comparison.pixels_over, r.budget.count(references::Cause::unexplained),
+                     r.budget.unverified());
   }
   row += std::string(to_string(r.status)) + (r.stored ? " (stored)" : r.cached ? " (cached)" : "");
   if (!r.terms.empty()) row += "\n      largest error of each term:" + terms_text(r.terms);

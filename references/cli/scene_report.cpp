@@ -46,7 +46,7 @@ Json shown_result(const SceneResult& result, double tolerance) {
   if (result.not_compared.empty()) return json;
   const Json figures = to_json(result.comparison);
   for (const auto& [figure, value] : figures.items()) json.erase(figure);
-  for (const char* const key : {"metrics", "budget", "unexamined", "shapes"}) json.erase(key);
+  for (const char* const key : {"metrics", "budget", "unexamined", "unverified", "shapes"}) json.erase(key);
   json["not_compared"] = result.not_compared;
   return json;
 }

@@ -35,7 +35,7 @@ Image render_by_povray(const World& world, int side, bool rescaled, std::vector<
   const Povray* const povray = installed_povray();
   if (povray == nullptr) throw Unavailable("POV-Ray is not on PATH: apt-get install povray");
   const auto space = rescaled ? exporters::export_space(world.scene, world.camera)
-                              : exporters::ExportSpace{1, Vec3d(0), false};
+                              : exporters::ExportSpace{1, Vec3d(0), false, false};
   const auto exported = exporters::export_povray(world.scene, world.camera, side, side, {}, space);
   PovrayJob job{exported.text, side, side};
   job.without_bounding = exported.needs_flat_objects;

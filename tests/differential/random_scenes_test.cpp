@@ -69,6 +69,7 @@ TEST(RandomScenes, AgreeWithPovrayOnEveryPixel) {
           << result.scene << " depth " << options.first << ": " << result.comparison.pixels_over
           << " pixels over, " << result.message << "\n"
           << read_file(result.scene);
+      EXPECT_EQ(result.budget.unverified(), 0U) << result.scene << ": " << result.message;
       agreed += result.status == Status::agree ? 1 : 0;
     }
   }

@@ -245,11 +245,12 @@ TEST(PovrayExport, TheDepthIsMaxTraceLevel) {
 
 TEST(PovrayExport, ASharedCompositeIsDeclaredOnceBeforeItsUse) {
   const std::string text = exported(std::string(bare) + R"(
-define shape composite two ball ball
+define shape sphere other 0 2 -4 1 plain
+define shape composite two ball other
 define shape composite left two
 define shape composite right two left
 transform two translate 1 0 0
-transform left translate 1 0 0
+transform left translate 5 0 0
 )");
   EXPECT_EQ(count(text, "#declare Composite_"), 3U) << text;
   for (std::size_t at = text.find("object { "); at != std::string::npos;

@@ -315,8 +315,20 @@ TEST(Attribution, BoundsHoldForFewAndBreakForMany) {
   EXPECT_NE(references::broken_bound(budget, side, side), "") << "16 and 5 % of 64";
   budget.pixels.pop_back();
   EXPECT_EQ(references::broken_bound(budget, side, side), "");
-  for (references::AttributedPixel& p : budget.pixels) p.cause = Cause::coincident;
-  EXPECT_EQ(references::broken_bound(budget, side, side), "");
+}
+
+TEST(Attribution, MoreThanAHundredthOfThePictureUnverifiedBreaksTheBound) {
+  for (const Cause cause : {Cause::coincident, Cause::reference_tolerance}) {
+    Budget budget;
+    for (int i = 0; i < 6; ++i) budget.pixels.push_back({0, i, cause});
+    budget.pixels.push_back({9, 9, Cause::silhouette});
+    EXPECT_EQ(budget.unverified(), 6U);
+    EXPECT_EQ(references::broken_bound(budget, 20, 30), "") << "6 of 600";
+    EXPECT_NE(references::broken_bound(budget, 20, 29), "") << "6 of 580";
+    budget.pixels.back().cause = Cause::coincident;
+    EXPECT_NE(references::broken_bound(budget, 20, 30).find("7 pixels are unverified"), std::string::npos)
+        << "both causes count together";
+  }
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 import {element} from "./dom.js";
 import {figure, seconds, words} from "./format.js";
 
-const main_figures = ["max_error", "judged_error", "mean_error", "rms_error", "pixels_over", "non_finite"];
+const main_figures = ["max_error", "judged_error", "mean_error", "rms_error", "pixels_over", "unverified", "non_finite"];
 
 /** [["metrics.flip.mean", 0.1], ...] of an object of objects. */
 function flat(object, before = "") {
