@@ -2,6 +2,9 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "tracer/image/image_file.hpp"
 #include "tracer/image/pixel_rows.hpp"
@@ -25,6 +28,14 @@ struct Shape {
   Sample sample = Sample::float32;
   FileContents contents;
 };
+
+/// Reads what a decoder itself does not: float32 of all channels, interleaved in the order of `names`, of the
+/// data window of a part of an EXR. Returns an empty string, or what went wrong.
+using ReadOpenExr = std::string (*)(std::string_view bytes, int part, const Window& data,
+                                    const std::vector<std::string>& names, float* values);
+
+/// That one is needed, and not at hand.
+struct OtherDecoderNeeded {};
 
 class Canvas {
  public:

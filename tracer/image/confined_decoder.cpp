@@ -57,17 +57,6 @@ int source_of(const std::string& path, const MappedFile& file) {
   return memory;
 }
 
-struct Pipe {
-  Pipe() {
-    std::array<int, 2> ends{};
-    if (::pipe2(ends.data(), O_CLOEXEC) != 0) fail("pipe");
-    from = ends[0];
-    to = moved_up(ends[1], "pipe");
-  }
-  int from;
-  int to;
-};
-
 class Child {
  public:
   Child(const std::vector<std::string>& command, int source, int pixels, int message) {
@@ -184,20 +173,23 @@ int seconds_for(const MappedFile& file) {
   return 10 + static_cast<int>(file.bytes().size() / bytes_a_second);
 }
 
-}  // namespace
-
-PixelRows decode_confined(const std::string& path, const MappedFile& file, Kind kind,
-                          const ReadRequest& request, const ReadLimits& limits) {
+/// Nothing when the decoder that takes longer to start is needed.
+std::optional<PixelRows> decoded_by(bool has_other_decoder, const std::string& path, const MappedFile& file,
+                                    Kind kind, const std::string& part, const ReadLimits& limits) {
   const Descriptor source(source_of(path, file));
   const Descriptor pixels(moved_up(::memfd_create("pixels", MFD_CLOEXEC), "memfd_create"));
   const auto program = std::filesystem::read_symlink("/proc/self/exe").parent_path() / decoder_name;
   const int seconds = seconds_for(file);
-  Pipe pipe;
-  const Descriptor from(pipe.from);
-  Child child({program.string(), std::to_string(static_cast<int>(kind)), request.part,
-               std::to_string(limits.pixels), std::to_string(limits.bytes), std::to_string(seconds)},
-              source.number(), pixels.number(), pipe.to);
-  ::close(pipe.to);
+  std::array<int, 2> ends{};
+  if (::pipe2(ends.data(), O_CLOEXEC) != 0) fail("pipe");
+  const Descriptor from(ends[0]);
+  Child child = [&] {
+    const Descriptor to(moved_up(ends[1], "pipe"));
+    return Child(
+        {program.string(), std::to_string(static_cast<int>(kind)), part, std::to_string(limits.pixels),
+         std::to_string(limits.bytes), std::to_string(seconds), has_other_decoder ? "1" : "0"},
+        source.number(), pixels.number(), to.number());
+  }();
   // Waiting longer than it may compute: the machine may have other things to do.
   const auto message = read_message(from.number(), 2 * seconds);
   if (!message) child.kill();
@@ -215,9 +207,18 @@ PixelRows decode_confined(const std::string& path, const MappedFile& file, Kind 
                              " on it; write it again, or as PNG or OpenEXR");
   if (decoded->outcome == DecodedMessage::Outcome::too_large)
     throw PictureTooLarge(said_of(path, decoded->why), decoded->width, decoded->height);
-  if (decoded->outcome == DecodedMessage::Outcome::refused)
+  if (decoded->outcome == DecodedMessage::Outcome::other_decoder && !has_other_decoder) return std::nullopt;
+  if (decoded->outcome != DecodedMessage::Outcome::decoded)
     throw std::runtime_error(said_of(path, decoded->why));
   return rows_of(path, decoded->shape, pixels.number(), limits);
+}
+
+}  // namespace
+
+PixelRows decode_confined(const std::string& path, const MappedFile& file, Kind kind,
+                          const ReadRequest& request, const ReadLimits& limits) {
+  if (auto rows = decoded_by(false, path, file, kind, request.part, limits)) return *rows;
+  return decoded_by(true, path, file, kind, request.part, limits).value();
 }
 
 }  // namespace plumb

@@ -116,7 +116,7 @@ std::optional<DecodedMessage> decoded_message(std::string_view text) {
   try {
     Fields fields(text);
     DecodedMessage message;
-    message.outcome = static_cast<Outcome>(fields.small(0, static_cast<int>(Outcome::too_large)));
+    message.outcome = static_cast<Outcome>(fields.small(0, static_cast<int>(Outcome::other_decoder)));
     message.why = fields.text();
     message.width = fields.number(0, std::int64_t{1} << 32);
     message.height = fields.number(0, std::int64_t{1} << 32);

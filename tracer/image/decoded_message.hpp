@@ -10,9 +10,9 @@
 namespace plumb {
 
 struct DecodedMessage {
-  enum class Outcome { decoded, refused, too_large };
+  enum class Outcome { decoded, refused, too_large, other_decoder };
   Outcome outcome = Outcome::refused;
-  std::string why;  ///< refused or too large
+  std::string why;  ///< of all but `decoded`
   std::int64_t width = 0;
   std::int64_t height = 0;  ///< too large
   Shape shape;              ///< decoded

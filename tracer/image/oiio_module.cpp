@@ -7,6 +7,8 @@
 #include <exception>
 #include <stdexcept>
 
+#include "tracer/image/channel_names.hpp"
+
 namespace plumb::oiio {
 namespace {
 
@@ -129,6 +131,30 @@ std::string read(std::string_view bytes, Kind kind, Canvas& canvas) {
   return in->has_error() ? in->geterror() : "";
 }
 
+/// Channel by channel: it has an order of its own.
+std::string read_openexr(std::string_view bytes, int part, const Window& data,
+                         const std::vector<std::string>& names, float* values) {
+  const auto in = lib::ImageInput::create("openexr");
+  if (!in) return lib::geterror();
+  lib::Filesystem::IOMemReader memory(bytes.data(), bytes.size());
+  lib::ImageSpec spec;
+  if (!in->set_ioproxy(&memory) || !in->open("openexr", spec) || !in->seek_subimage(part, 0, spec))
+    return in->geterror();
+  if (spec.x != data.x || spec.y != data.y || spec.width != data.width || spec.height != data.height)
+    return "another data window";
+  const auto stride = static_cast<lib::stride_t>(names.size() * sizeof(float));
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    int channel = 0;
+    while (channel < spec.nchannels &&
+           printable(spec.channelnames[static_cast<std::size_t>(channel)]) != names[i])
+      ++channel;
+    if (channel == spec.nchannels) return "no channel " + names[i];
+    if (!in->read_image(part, 0, channel, channel + 1, lib::TypeDesc::FLOAT, values + i, stride))
+      return in->geterror();
+  }
+  return "";
+}
+
 /// Everything in the calling thread: with idle threads of OpenImageIO and OpenEXR at the end of the process
 /// the leak checker crashed now and then (compare OpenImageIO, issue 3851).
 void use_no_threads() {
@@ -157,6 +183,12 @@ void plumb_oiio_prepare() {
   plumb::oiio::use_no_threads();
   for (const plumb::Kind kind : {plumb::Kind::bmp, plumb::Kind::tga, plumb::Kind::jpeg, plumb::Kind::hdr})
     static_cast<void>(plumb::oiio::lib::ImageInput::create(plumb::oiio::name_of(kind)));
+  static_cast<void>(plumb::oiio::lib::ImageInput::create("openexr"));
+}
+
+std::string plumb_oiio_read_openexr(std::string_view bytes, int part, const plumb::Window& data,
+                                    const std::vector<std::string>& names, float* values) {
+  return plumb::oiio::read_openexr(bytes, part, data, names, values);
 }
 
 std::string plumb_oiio_read(std::string_view bytes, plumb::Kind kind, plumb::Canvas& canvas) {

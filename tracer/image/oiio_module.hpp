@@ -27,6 +27,7 @@ using Read = std::string (*)(std::string_view bytes, Kind kind, Canvas& canvas);
 inline constexpr const char* module_name = "plumb_openimageio.so";
 inline constexpr const char* write_symbol = "plumb_oiio_write";
 inline constexpr const char* prepare_symbol = "plumb_oiio_prepare";
+inline constexpr const char* read_openexr_symbol = "plumb_oiio_read_openexr";  ///< a ReadOpenExr
 inline constexpr const char* read_symbol = "plumb_oiio_read";
 
 }  // namespace plumb::oiio

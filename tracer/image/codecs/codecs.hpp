@@ -19,6 +19,7 @@ struct Source {
   Kind kind = Kind::png;
   std::string part;  ///< as asked for; empty: the first
   ReadLimits limits;
+  ReadOpenExr read_openexr = nullptr;  ///< for DWA compression, which OpenEXRCore 3.1 does not know
 };
 
 /// False when the file is not of the plain kind that is known here: a confined process then decodes it, or
@@ -26,7 +27,7 @@ struct Source {
 using Open = bool (*)(const Source& source, PixelRows& rows);
 
 /// EXR and TIFF of every kind, through the libraries of these formats: for the confined process alone. Throws
-/// std::runtime_error naming the file.
+/// std::runtime_error naming the file, OtherDecoderNeeded without `read_openexr` where that is needed.
 using Decode = void (*)(const Source& source, Canvas& canvas);
 
 inline constexpr const char* module_name = "plumb_codecs.so";

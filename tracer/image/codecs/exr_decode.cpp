@@ -40,11 +40,37 @@ class Decoder {
   Decoder(const Source& source, exr_const_context_t context, ExrLayout layout, std::byte* pixels)
       : source_(source), context_(context), layout_(std::move(layout)), pixels_(pixels) {}
 
-  void decode() { layout_.storage == EXR_STORAGE_TILED ? decode_tiles() : decode_lines(); }
+  void decode() {
+    if (layout_.compression == EXR_COMPRESSION_DWAA || layout_.compression == EXR_COMPRESSION_DWAB)
+      return decode_by_openexr();
+    layout_.storage == EXR_STORAGE_TILED ? decode_tiles() : decode_lines();
+  }
 
  private:
   [[noreturn]] void refuse(const std::string& what) const {
     refuse_damaged(source_.path, "found no whole " + what + " where the header says");
+  }
+
+  /// Half floats and floats; whole numbers of 32 bits would be scaled by it.
+  void decode_by_openexr() {
+    if (source_.read_openexr == nullptr) throw OtherDecoderNeeded{};
+    if (layout_.shape.component != Component::float32)
+      throw std::runtime_error(source_.path + ": cannot be read: whole numbers with DWA compression aren't " +
+                               "supported; write it with ZIP compression");
+    const auto channels = static_cast<std::size_t>(layout_.shape.channels);
+    const auto width = static_cast<std::size_t>(layout_.data.width);
+    std::vector<float> values(width * static_cast<std::size_t>(layout_.data.height) * channels);
+    const std::string complaint = source_.read_openexr(source_.file->bytes(), layout_.part, layout_.data,
+                                                       layout_.shape.contents.channels, values.data());
+    if (!complaint.empty()) refuse_damaged(source_.path, "OpenEXR says: " + complaint);
+    const Window& all = *layout_.shape.contents.window;
+    for (int y = 0; y < layout_.data.height; ++y) {
+      const auto line = static_cast<std::size_t>(layout_.data.y - all.y + y);
+      const std::size_t to =
+          line * static_cast<std::size_t>(all.width) + static_cast<std::size_t>(layout_.data.x - all.x);
+      std::memcpy(pixels_ + to * channels * sizeof(float),
+                  &values[static_cast<std::size_t>(y) * width * channels], width * channels * sizeof(float));
+    }
   }
 
   void decode_lines() {

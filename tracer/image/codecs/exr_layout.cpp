@@ -22,6 +22,7 @@ class Reader {
     layout_.part = chosen_part();
     expect(exr_get_storage(context_, layout_.part, &layout_.storage), "kind of part");
     if (is_deep(layout_.storage)) fail("deep EXR isn't supported; flatten it before it is compared");
+    expect(exr_get_compression(context_, layout_.part, &layout_.compression), "compression");
     read_channels();
     read_windows();
     note_what_is_left();

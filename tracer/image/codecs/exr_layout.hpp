@@ -16,6 +16,7 @@ struct ExrChannel {
 struct ExrLayout {
   int part = 0;
   exr_storage_t storage = EXR_STORAGE_SCANLINE;
+  exr_compression_t compression = EXR_COMPRESSION_NONE;
   Window data;
   Shape shape;
   std::vector<ExrChannel> channels;  ///< in the order of the file

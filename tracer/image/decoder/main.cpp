@@ -16,10 +16,11 @@
 namespace plumb::decoder {
 namespace {
 
-constexpr int arguments = 6;
+constexpr int arguments = 7;
 
 struct Job {
   codecs::Source source;
+  bool has_other_decoder = false;
   int seconds = 0;
 };
 
@@ -30,6 +31,7 @@ Job job_of(char** words) {
   job.source.part = words[2];
   job.source.limits = {std::stoll(words[3]), std::stoll(words[4])};
   job.seconds = std::stoi(words[5]);
+  job.has_other_decoder = std::stoi(words[6]) != 0;
   job.source.file = std::make_shared<const MappedFile>("/proc/self/fd/3");
   return job;
 }
@@ -37,13 +39,15 @@ Job job_of(char** words) {
 /// Loads the module while that is still possible.
 class Decoder {
  public:
-  explicit Decoder(const codecs::Source& source) : source_(source) {
-    if (source.kind == Kind::exr || source.kind == Kind::tiff) {
+  explicit Decoder(const Job& job) : source_(job.source) {
+    const bool is_of_codecs = source_.kind == Kind::exr || source_.kind == Kind::tiff;
+    if (is_of_codecs)
       decode_ = reinterpret_cast<codecs::Decode>(module_symbol(codecs::module_name, codecs::decode_symbol));
-    } else {
-      reinterpret_cast<oiio::Prepare>(module_symbol(oiio::module_name, oiio::prepare_symbol))();
-      read_ = reinterpret_cast<oiio::Read>(module_symbol(oiio::module_name, oiio::read_symbol));
-    }
+    if (is_of_codecs && !job.has_other_decoder) return;
+    const auto of_oiio = [](const char* name) { return module_symbol(oiio::module_name, name); };
+    reinterpret_cast<oiio::Prepare>(of_oiio(oiio::prepare_symbol))();
+    read_ = reinterpret_cast<oiio::Read>(of_oiio(oiio::read_symbol));
+    source_.read_openexr = reinterpret_cast<ReadOpenExr>(of_oiio(oiio::read_openexr_symbol));
   }
 
   void decode(Canvas& canvas) const {
@@ -55,7 +59,7 @@ class Decoder {
   }
 
  private:
-  const codecs::Source& source_;
+  codecs::Source source_;
   codecs::Decode decode_ = nullptr;
   oiio::Read read_ = nullptr;
 };
@@ -88,6 +92,8 @@ DecodedMessage outcome(const Job& job, const Decoder& decoder) {
     message.why = error.what();
     message.width = error.width;
     message.height = error.height;
+  } catch (const OtherDecoderNeeded&) {
+    message.outcome = DecodedMessage::Outcome::other_decoder;
   } catch (const std::bad_alloc&) {
     message.why = "decoding it takes more memory than there is for one picture";
   } catch (const std::exception& error) {
@@ -103,7 +109,7 @@ int run(int count, char** words) {
   }
   const Job job = job_of(words);
   try {
-    const Decoder decoder(job.source);
+    const Decoder decoder(job);
     answer(outcome(job, decoder));
     return 0;
   } catch (const std::exception& error) {
