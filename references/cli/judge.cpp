@@ -131,6 +131,8 @@ int run_judge(const Options& options) {
   references::JudgeOptions judge = judge_options(options);
   const auto submissions = submissions_of(options);
   const auto scenes = references::scenes_to_judge(options.scenes, judge.dialect);
+  const std::string weaker = judge.command.empty() ? std::string() : references::limits_not_enforced();
+  if (!weaker.empty()) std::fprintf(stderr, "judge: %s\n", weaker.c_str());
   Progress progress("judging");
   judge.progress = [&](double fraction) { progress.show(fraction); };
   const auto all = references::judge_all(submissions, scenes, judge);
@@ -158,7 +160,7 @@ void add_what(CLI::App& app, Options& options) {
       ->type_name("DIR");
   app.add_option("--scenes", options.scenes, "the scenes, *.sdf; default: plumb's own")->type_name("DIR");
   app.add_option("--readable", options.readable,
-                 "what the tracer may read though it lies in a home or another hidden place")
+                 "what the tracer may read beside the system's directories and its own")
       ->type_name("PATH");
 }
 
@@ -214,7 +216,7 @@ Command add_judge(CLI::App& plumb) {
       "         plumb judge --renderer '{submission}/tracer {scene}' --submissions class --csv class.csv\n"
       "         plumb judge --images pictures --scenes tests/scenes\n"
       "The picture is {image}, or the file that the scene's render line names. Programs run in bubblewrap:\n"
-      "no network, nothing to write but their directory, homes hidden. What a program does is a result.\n"
+      "no network, nothing to write but a /tmp of their own, homes hidden. What a program does is a result.\n"
       "Exit codes: 0 all pictures are right, 1 some are not, 2 trouble.");
   return {app, [options] { return run_judge(*options); }};
 }

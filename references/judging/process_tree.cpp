@@ -4,12 +4,15 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cctype>
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
 #include <memory>
 #include <optional>
 #include <set>
+#include <sstream>
 #include <string>
 
 namespace plumb::references {
@@ -18,12 +21,15 @@ namespace {
 struct ProcessState {
   pid_t id;
   pid_t parent;
-  double ticks;
+  double own_ticks;
+  double ticks;  ///< with those of the children that it has waited for
+  std::size_t threads;
+  double begin_ticks;
   std::size_t pages;
 };
 
-/// proc(5), /proc/pid/stat: fields 4 ppid, 14..17 utime stime cutime cstime, 24 rss; the name before them may
-/// hold blanks and parentheses.
+/// proc(5), /proc/pid/stat: fields 4 ppid, 14..17 utime stime cutime cstime, 20 num_threads, 22 starttime, 24
+/// rss; the name before them may hold blanks and parentheses.
 std::optional<ProcessState> state_of(pid_t id) {
   const int file = open(("/proc/" + std::to_string(id) + "/stat").c_str(), O_RDONLY | O_CLOEXEC);
   if (file < 0) return std::nullopt;
@@ -37,7 +43,13 @@ std::optional<ProcessState> state_of(pid_t id) {
   at += 3;  // over ") " and the state
   double field[25] = {};
   for (int i = 4; i < 25; ++i) field[i] = std::strtod(at, &at);
-  return ProcessState{id, static_cast<pid_t>(field[4]), field[14] + field[15] + field[16] + field[17],
+  const double own = field[14] + field[15];
+  return ProcessState{id,
+                      static_cast<pid_t>(field[4]),
+                      own,
+                      own + field[16] + field[17],
+                      static_cast<std::size_t>(field[20]),
+                      field[22],
                       static_cast<std::size_t>(field[24])};
 }
 
@@ -50,6 +62,38 @@ std::vector<ProcessState> all_processes() {
     if (const auto state = state_of(std::atoi(entry->d_name))) all.push_back(*state);
   }
   return all;
+}
+
+double seconds_of(double ticks) { return ticks / static_cast<double>(sysconf(_SC_CLK_TCK)); }
+
+/// KiB of the line of a file of /proc that begins with the key, in bytes; 0 when there is none.
+std::size_t bytes_of_line(const std::string& file, const std::string& key) {
+  std::ifstream in(file);
+  for (std::string line; std::getline(in, line);)
+    if (line.starts_with(key)) return std::strtoull(line.c_str() + key.size(), nullptr, 10) << 10;
+  return 0;
+}
+
+std::string file_of(const TreeMember& member, const char* name) {
+  return "/proc/" + std::to_string(member.id) + "/" + name;
+}
+
+using SharedLengths = std::map<std::string, std::size_t>;
+
+/// proc(5), /proc/pid/maps: range, rights, offset, device, inode, name. Anonymous shared memory is a file of
+/// its own, named as below.
+void add_shared_lengths(const TreeMember& member, SharedLengths& lengths) {
+  std::ifstream in(file_of(member, "maps"));
+  for (std::string line; std::getline(in, line);) {
+    if (!line.ends_with("/dev/zero (deleted)")) continue;
+    std::istringstream words(line);
+    std::size_t begin = 0, end = 0, offset = 0;
+    char dash = 0;
+    std::string rights, device, inode;
+    words >> std::hex >> begin >> dash >> end >> rights >> offset >> device >> inode;
+    std::size_t& length = lengths[inode];
+    length = std::max(length, offset + end - begin);
+  }
 }
 
 }  // namespace
@@ -66,18 +110,43 @@ TreeUsage usage_below(pid_t root) {
   TreeUsage usage;
   for (const ProcessState& p : all) {
     if (p.id == root || !members.contains(p.id)) continue;
+    usage.members.push_back({p.id, p.begin_ticks, seconds_of(p.own_ticks)});
     ++usage.processes;
+    usage.threads += p.threads;
     usage.memory_bytes += p.pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
-    usage.cpu_seconds += p.ticks / static_cast<double>(sysconf(_SC_CLK_TCK));
+    usage.cpu_seconds += seconds_of(p.ticks);
   }
   return usage;
 }
 
-std::vector<pid_t> children_of(pid_t parent) {
-  std::vector<pid_t> children;
-  for (const ProcessState& p : all_processes())
-    if (p.parent == parent) children.push_back(p.id);
-  return children;
+std::size_t unseen_memory(const std::vector<TreeMember>& members) {
+  std::size_t bytes = 0;
+  SharedLengths lengths;
+  for (const TreeMember& member : members) {
+    bytes += bytes_of_line(file_of(member, "status"), "VmPTE:");
+    add_shared_lengths(member, lengths);
+  }
+  for (const auto& [inode, length] : lengths) bytes += length;
+  return bytes;
+}
+
+std::size_t private_memory(const std::vector<TreeMember>& members) {
+  std::size_t bytes = 0;
+  for (const TreeMember& member : members) {
+    const std::string file = file_of(member, "smaps_rollup");
+    bytes += bytes_of_line(file, "Pss:") - bytes_of_line(file, "Pss_Shmem:");
+  }
+  return bytes;
+}
+
+double TreeClock::after(const TreeUsage& usage) {
+  for (const TreeMember& member : usage.members) {
+    double& seconds = seen_[{member.id, member.begin_ticks}];
+    seconds = std::max(seconds, member.cpu_seconds);
+  }
+  double all = 0;
+  for (const auto& [process, seconds] : seen_) all += seconds;
+  return std::max(all, usage.cpu_seconds);
 }
 
 }  // namespace plumb::references

@@ -1,5 +1,6 @@
 #include "references/judging/run_tracer.hpp"
 
+#include <cstdlib>
 #include <filesystem>
 
 #include "references/judging/collect.hpp"
@@ -13,24 +14,36 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What may be read for an argument that names a file: its directory, for what lies beside a program; the
-/// file alone where that directory is itself a home or the like, or all submissions'.
-void allow(const std::string& argument, const JudgeOptions& options, std::vector<std::string>& readable) {
-  std::error_code none;
-  if (!argument.starts_with("/") || !fs::exists(argument, none)) return;
-  const fs::path path = fs::path(argument).lexically_normal();
-  const bool is_submitted = !options.submissions_directory.empty() &&
-                            path.string().starts_with(options.submissions_directory + "/");
-  if (is_submitted || !is_hidden(path.string())) return;
-  const fs::path parent = path.parent_path();
-  const bool is_alone = fs::is_directory(path) || !is_hidden(parent.parent_path().string());
-  readable.push_back((is_alone ? path : parent).string());
+/// Homes and top directories hold more than a program and what lies beside it.
+bool is_a_room_of_its_own(const fs::path& directory) {
+  const char* const home = std::getenv("HOME");
+  const fs::path above = directory.parent_path();
+  return directory != "/" && above != "/" && above != "/home" && directory != "/var/tmp" &&
+         (home == nullptr || directory != fs::path(home).lexically_normal());
 }
 
-SandboxView view_for(const Submission& submission, const std::vector<std::string>& command,
-                     const JudgeOptions& options, const std::string& directory) {
-  SandboxView view{directory, options.readable, {}};
-  for (const std::string& argument : command) allow(argument, options, view.readable);
+bool is_plumb(const fs::path& file) {
+  std::error_code none;
+  return fs::equivalent(file, "/proc/self/exe", none);
+}
+
+/// What may be read for a word of the command that names a file: its directory, for what lies beside a
+/// program; the file alone where that directory is a home or the like, or holds all submissions. Plumb is
+/// shown to a run of plumb that was asked for.
+void allow(const std::string& word, const JudgeOptions& options, std::vector<std::string>& readable) {
+  std::error_code none;
+  if (!word.starts_with("/") || !fs::exists(word, none)) return;
+  const fs::path path = fs::path(word).lexically_normal();
+  const std::string parent = path.parent_path().string();
+  const bool has_beside = !fs::is_directory(path) && is_a_room_of_its_own(parent) &&
+                          fs::weakly_canonical(parent, none) != options.submissions_directory;
+  readable.push_back(has_beside ? parent : path.string());
+  if (is_plumb(path)) readable.push_back(path.string());
+}
+
+SandboxView view_for(const Submission& submission, const JudgeOptions& options, const std::string& given) {
+  SandboxView view{given, options.readable, {}};
+  for (const std::string& word : options.command) allow(word, options, view.readable);
   if (options.submissions_directory.empty()) return view;
   view.hidden.push_back(options.submissions_directory);
   if (!fs::is_symlink(submission.path)) view.readable.push_back(submission.path);
@@ -62,6 +75,10 @@ bool ended_badly(const SandboxRun& run, JudgedPicture& result) {
   if (run.ending != Ending::finished) {
     result.verdict = verdict_of(run.ending);
     result.message = "stopped at a limit after " + std::to_string(run.wall_seconds).substr(0, 4) + " s";
+  } else if (!run.not_executed.empty()) {
+    result.verdict = Judged::crashed;
+    result.message = "cannot be executed: " + run.not_executed +
+                     ": is it there, executable, and the interpreter of its first line, too?";
   } else if (run.signal != 0) {
     result.verdict = Judged::crashed;
     result.message = "ended by signal " + std::to_string(run.signal);
@@ -83,16 +100,6 @@ void say_why_none(Found found, int exit_code, JudgedPicture& result) {
   }
 }
 
-/// A directory may be left unreadable even for us.
-void make_removable(const std::string& directory) {
-  std::error_code ignored;
-  for (fs::recursive_directory_iterator at(directory, ignored), end; !ignored && at != end;
-       at.increment(ignored)) {
-    if (fs::is_directory(at->symlink_status(ignored)))
-      fs::permissions(at->path(), fs::perms::owner_all, fs::perm_options::add, ignored);
-  }
-}
-
 /// What course tracers call their picture.
 std::string name_in_scene(const JudgedScene& scene) {
   return fs::path(scene.scene.renders.front().file).lexically_normal().string();
@@ -105,6 +112,11 @@ std::string target_in(const std::string& directory, const std::string& name) {
 
 }  // namespace
 
+void require_confined_runs(const Submission& submission, const JudgeOptions& options) {
+  const std::string& program = options.command.front();
+  require_sandbox(view_for(submission, options, {}), program.starts_with("/") ? program : std::string());
+}
+
 std::string picture_of_run(const Submission& submission, const JudgedScene& scene,
                            const JudgeOptions& options, const std::string& own_directory,
                            JudgedPicture& result) {
@@ -114,14 +126,12 @@ std::string picture_of_run(const Submission& submission, const JudgedScene& scen
   const auto command =
       substituted(options.command,
                   {{"scene", inside + ".sdf"}, {"image", inside + ".ppm"}, {"submission", submission.path}});
-  const SandboxRun run =
-      run_confined(command, view_for(submission, command, options, work.path()), options.limits);
-  make_removable(work.path());
+  const SandboxRun run = run_confined(command, view_for(submission, options, work.path()), options.limits);
   if (ended_badly(run, result)) return {};
   Found found = Found::nothing;
   for (const std::string& name : {scene.name + ".ppm", name_in_scene(scene)}) {
     const std::string target = target_in(own_directory, name);
-    found = take_file(work.path(), name, options.limits.disk_bytes, target);
+    found = take_file(run.directory(), name, options.limits.disk_bytes, target);
     if (found == Found::picture) return target;
     if (found != Found::nothing) break;
   }

@@ -7,6 +7,9 @@
 
 namespace plumb::references {
 
+/// Throws std::runtime_error when nothing can be confined as the runs of this submission are.
+void require_confined_runs(const Submission& submission, const JudgeOptions& options);
+
 /// Fills in what the run tells; the picture, when there is one, is then the regular file that is returned, in
 /// `own_directory`, out of the program's reach. Empty when there is none: then the verdict says why.
 std::string picture_of_run(const Submission& submission, const JudgedScene& scene,

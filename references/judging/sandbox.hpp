@@ -1,20 +1,23 @@
 // Programs of people we do not know, confined with bubblewrap: no network, nothing to write but one
-// directory, no home, no processes but their own, and limits that are watched.
+// directory, no home, no processes but their own, and limits that are kept.
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <vector>
+
+#include "tracer/image/descriptor.hpp"
 
 namespace plumb::references {
 
 struct SandboxLimits {
   double wall_seconds = 10;
-  double cpu_seconds = 20;  ///< of all its processes together
-  std::size_t memory_bytes = std::size_t{2} << 30;
+  double cpu_seconds = 20;                           ///< of all its processes together
+  std::size_t memory_bytes = std::size_t{2} << 30;   ///< of all its processes and files together
   std::size_t processes = 64;                        ///< at once, those of the sandbox included
-  std::size_t disk_bytes = std::size_t{64} << 20;    ///< of all files that it leaves, and of any one
-  std::size_t files = 256;                           ///< that it leaves
+  std::size_t disk_bytes = std::size_t{64} << 20;    ///< of all that it writes, and as much of shared memory
+  std::size_t files = 1024;                          ///< at once, directories included
   std::size_t printed_bytes = std::size_t{1} << 20;  ///< on standard output and error
 };
 
@@ -25,29 +28,35 @@ struct SandboxRun {
   int exit_code = 0;  ///< valid when it finished without a signal
   int signal = 0;
   double wall_seconds = 0;
-  std::string printed;  ///< the first 16 KiB of standard output and error
+  std::string printed;       ///< the first 16 KiB of standard output and error
+  std::string not_executed;  ///< why the program itself never began; empty when it did
+
+  /// What stood in `sandbox_directory` at the end, as a path that is valid as long as this or a copy is.
+  std::string directory() const;
+  std::shared_ptr<const Descriptor> left;
 };
 
-/// What a run may see of the places that are hidden (homes, /tmp, /run, mounts).
+/// What a run sees beside the system's programs, libraries and a few of its settings.
 struct SandboxView {
-  std::string writable;               ///< host directory, seen as `sandbox_directory`
-  std::vector<std::string> readable;  ///< absolute paths, seen as they are
-  std::vector<std::string> hidden;    ///< more directories to hide
-  unsigned user = 0;                  ///< that it becomes, of root's runs; set by run_confined
+  std::string given;  ///< host directory: its files are copied into `sandbox_directory`; may be empty
+  std::vector<std::string> readable;  ///< paths, seen as they are
+  std::vector<std::string> hidden;    ///< within what is readable
 };
 
-/// Where a confined program runs; the rest of /tmp is its own, small, and lost.
+/// Where a confined program runs, in a /tmp of its own that is lost with it.
 inline constexpr const char* sandbox_directory = "/tmp/judged";
 
-/// Throws std::runtime_error, saying what to do, when bubblewrap is missing or may not make namespaces.
-void require_sandbox();
+/// Runs /bin/true in this view. Throws std::runtime_error, saying what to do, when bubblewrap is missing, may
+/// not make namespaces, or cannot make this view. `program` has to exist in it, unless it is empty.
+void require_sandbox(const SandboxView& view = {}, const std::string& program = {});
 
-/// Never runs unconfined. At its return no process of the run is left. Throws std::runtime_error when it
-/// cannot be started.
+/// The limits that the kernel does not keep on this machine, and what is done instead; empty when it keeps
+/// all.
+std::string limits_not_enforced();
+
+/// Never runs unconfined. At its return no process of the run is left. Throws std::runtime_error when the
+/// sandbox itself fails: that says nothing about the program.
 SandboxRun run_confined(const std::vector<std::string>& command, const SandboxView& view,
                         const SandboxLimits& limits);
-
-/// Whether a path lies in a place that a confined program does not see by itself.
-bool is_hidden(const std::string& path);
 
 }  // namespace plumb::references

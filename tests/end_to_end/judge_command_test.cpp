@@ -27,11 +27,18 @@ class JudgeCommand : public testing::Test {
     fs::permissions(workplace_.file("class/" + name, text), fs::perms(0755));
   }
   void shell(const std::string& name, const std::string& text) const { hand_in(name, "#!/bin/sh\n" + text); }
+  /// A tracer that renders right: plumb under another name, for runs do not see plumb itself.
+  std::string tracer() const {
+    const std::string path = workplace_.path("tracer/tracer");
+    fs::create_directories(workplace_.path("tracer"));
+    fs::copy_file(PLUMB_BINARY, path, fs::copy_options::skip_existing);
+    return path;
+  }
   /// The pictures of the class by submission.
   std::map<std::string, Json> judge_class(const std::string& seconds) const {
-    const std::string build = fs::path(PLUMB_BINARY).parent_path();
+    tracer();
     const Outcome outcome = judge({"--renderer", "{submission} {scene} {image}", "--submissions", "class",
-                                   "--readable", build, "--timeout", seconds, "--json", "-"});
+                                   "--readable", "tracer", "--timeout", seconds, "--json", "-"});
     EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
     std::map<std::string, Json> pictures;
     const Json all = Json::parse(outcome.out, nullptr, false);
@@ -57,7 +64,7 @@ class JudgeRuns : public JudgeCommand {
 };
 
 TEST_F(JudgeRuns, NamesWhatATracerDoes) {
-  const std::string render = PLUMB_BINARY " render \"$1\" ";
+  const std::string render = tracer() + " render \"$1\" ";
   shell("good", render + "-o \"$2\"\n");
   shell("fault", render + "--fault ka-kd-swapped -o \"$2\"\n");
   shell("by-the-render-line", render + "-o out.ppm\n");
@@ -66,15 +73,17 @@ TEST_F(JudgeRuns, NamesWhatATracerDoes) {
   shell("nothing", "exit 0\n");
   shell("failing", "exit 3\n");
   shell("crash", "kill -SEGV $$\n");
+  hand_in("lost", "#!/no/such/interpreter\n");
   const auto pictures = judge_class("30");
-  ASSERT_EQ(pictures.size(), 8U);
+  ASSERT_EQ(pictures.size(), 9U);
   const std::map<std::string, std::string> expected{
       {"good", "right"},      {"fault", "faults"},         {"by-the-render-line", "right"},
       {"size", "wrong-size"}, {"truncated", "unreadable"}, {"nothing", "no-image"},
-      {"failing", "crashed"}, {"crash", "crashed"}};
+      {"failing", "crashed"}, {"crash", "crashed"},        {"lost", "crashed"}};
   for (const auto& [name, verdict] : expected)
     EXPECT_EQ(pictures.at(name)["verdict"], verdict) << name << pictures.at(name);
   EXPECT_EQ(pictures.at("fault")["faults"][0]["id"], "ka-kd-swapped");
+  EXPECT_TRUE(contains(pictures.at("lost")["message"], "No such file or directory")) << pictures.at("lost");
 }
 
 TEST_F(JudgeRuns, TimeEndsWhatDoesNotEnd) {
@@ -123,6 +132,33 @@ TEST_F(JudgeRuns, TouchesAndSeesNothingOutside) {
   EXPECT_TRUE(contains(pictures.at("link")["message"], "a link"));
   EXPECT_TRUE(contains(pictures.at("pipe")["message"], "a pipe"));
   EXPECT_TRUE(contains(run_shell("pgrep -f 'sleep 98765[4]' || echo none", here).output, "none"));
+}
+
+/// The teacher's script beside the class: what is shown holds what is hidden, which holds what is shown.
+TEST_F(JudgeRuns, AProgramBesideItsClass) {
+  tracer();
+  shell("ada", "exec \"$3\" render \"$1\" -o \"$2\"\n");
+  fs::create_symlink("class", workplace_.path("link"));
+  fs::permissions(workplace_.file("run.sh",
+                                  "#!/bin/sh\ncat \"$(dirname \"$0\")\"/class/ada > /dev/null || exit 1\n"
+                                  "exec \"$1\" \"$2\" \"$3\" \"$(dirname \"$0\")/tracer/tracer\"\n"),
+                  fs::perms(0755));
+  for (const char* const of_class : {"class", "class/", "./class//.", "link", "scenes/../class"}) {
+    const Outcome outcome =
+        judge({"--renderer", "./run.sh {submission} {scene} {image}", "--submissions", of_class, "--timeout",
+               "60", "--readable", "tracer", "--readable", "tracer/"});
+    EXPECT_EQ(outcome.exit_code, 0) << of_class << ": " << outcome.out << outcome.err;
+  }
+}
+
+TEST_F(JudgeRuns, AFailingSandboxIsNoVerdict) {
+  shell("ada", "exit 0\n");
+  fs::permissions(workplace_.file("run.sh", "#!/bin/sh\n"), fs::perms(0644));
+  expect_trouble(judge({"--renderer", "./run.sh {submission} {scene}", "--submissions", "class"}),
+                 {"run.sh", "execute"});
+  expect_trouble(
+      judge({"--renderer", "{submission} {scene}", "--submissions", "class", "--readable", "/tmp"}),
+      {"/tmp", "move"});
 }
 
 TEST_F(JudgeRuns, OneTracerWithoutAShell) {

@@ -1,0 +1,15 @@
+// The system calls that a confined program may not make, as the kernel's filter program (seccomp(2)).
+#pragma once
+
+#include <linux/filter.h>
+
+#include <vector>
+
+namespace plumb::references {
+
+/// What is refused fails with EPERM: mounts, namespaces, tracing, keys, modules, clocks, io_uring and the
+/// like. What libraries do otherwise when it is missing fails with ENOSYS: clone3, and, unless
+/// `memory_is_counted`, memory that no process need map (memfd, System V).
+std::vector<sock_filter> system_call_filter(bool memory_is_counted);
+
+}  // namespace plumb::references
