@@ -1,5 +1,7 @@
 #include "references/judging/shown_places.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <deque>
 #include <filesystem>
@@ -31,6 +33,13 @@ bool lies_in(const fs::path& path, const fs::path& directory) {
 fs::path without_end_slash(const fs::path& path) {
   const fs::path normal = path.lexically_normal();
   return normal.has_filename() || normal == "/" ? normal : normal.parent_path();
+}
+
+bool is_closed(const fs::path& path) {
+  constexpr auto needed = fs::perms::others_read | fs::perms::others_exec;
+  std::error_code none;
+  const fs::file_status status = fs::symlink_status(path, none);
+  return geteuid() == 0 && fs::is_directory(status) && (status.permissions() & needed) != needed;
 }
 
 /// Plumb itself, its source with the reference pictures, and where an installation keeps its data: who runs
@@ -71,7 +80,7 @@ class Plan {
       ahead.insert(ahead.begin(), names.begin(), names.end());
     }
     std::error_code none;
-    if (ahead.empty() && fs::exists(real, none)) set(real, PlaceKind::shown);
+    if (ahead.empty() && fs::exists(real, none)) show_real(real);
   }
 
   void hide(const fs::path& path) {
@@ -103,6 +112,20 @@ class Plan {
   }
 
  private:
+  /// Of a directory that is closed for who root's programs become the entries are shown, in one of the
+  /// sandbox's; links in it may be a student's, and nothing is shown because they lead there.
+  void show_real(const fs::path& real) {
+    std::error_code none;
+    if (!is_closed(real)) return set(real, PlaceKind::shown);
+    set(real, PlaceKind::hidden);
+    for (const auto& entry : fs::directory_iterator(real, none)) {
+      if (entry.is_symlink(none))
+        places_.try_emplace(entry.path(), Entry{PlaceKind::link, fs::read_symlink(entry, none).string()});
+      else
+        show_real(entry.path());
+    }
+  }
+
   struct Entry {
     PlaceKind kind;
     std::string target;

@@ -109,6 +109,7 @@ TEST_F(JudgeRuns, LimitsEndWhatTakesTooMuch) {
 }
 
 TEST_F(JudgeRuns, TouchesAndSeesNothingOutside) {
+  tracer();
   workplace_.file("secret", "the secret");
   const std::string here = workplace_.directory();
   shell("a-neighbour", "# the neighbour's secret\n");

@@ -87,6 +87,21 @@ TEST_F(SandboxPlaces, LinksLeadWhereTheyLeadOutside) {
   EXPECT_EQ(shell("echo ran", {{}, {workplace_.path("loop"), workplace_.path("none")}, {}}).printed, "ran\n");
 }
 
+/// Root's programs become somebody else, for whom the directories that mktemp makes are closed.
+TEST_F(SandboxPlaces, ClosedDirectoriesAreOpenToTheirPrograms) {
+  const std::string program =
+      made("closed/own/program", "#!/bin/sh\ncat \"$(dirname \"$0\")/../link\" && echo seen; echo ran\n");
+  workplace_.file("secret", "the secret\n");
+  fs::create_symlink(workplace_.path("secret"), workplace_.path("closed/link"));
+  for (const char* const name : {"closed", "closed/own"})
+    fs::permissions(workplace_.path(name), fs::perms(0700));
+  const SandboxRun run = run_confined({program}, {{}, {workplace_.path("closed")}, {}}, {});
+  EXPECT_TRUE(run.printed.ends_with("ran\n")) << run.printed;
+  EXPECT_FALSE(contains(run.printed, "seen")) << run.printed;
+  EXPECT_TRUE(shell("ls '" + workplace_.path("closed") + "'", {{}, {workplace_.directory()}, {}}).printed ==
+              "link\nown\n");
+}
+
 TEST_F(SandboxPlaces, AnyCharactersInPaths) {
   for (const char* const name : {"A=B/c=d", "a b/'c\"", "\xc3\xa9/\xff", "a\nb/c\n", "$(x)/`y`", "-x/--"}) {
     const std::string program = made(name, "#!/bin/sh\necho ran; echo picture > out.ppm\n");
