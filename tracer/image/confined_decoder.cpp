@@ -190,8 +190,9 @@ std::optional<PixelRows> decoded_by(bool has_other_decoder, const std::string& p
          std::to_string(limits.bytes), std::to_string(seconds), has_other_decoder ? "1" : "0"},
         source.number(), pixels.number(), to.number());
   }();
-  // Waiting longer than it may compute: the machine may have other things to do.
-  const auto message = read_message(from.number(), 2 * seconds);
+  // It can wait for nothing, so its limit of computing ends it; a busy machine may take longer for that.
+  constexpr int patience = 6;
+  const auto message = read_message(from.number(), patience * seconds);
   if (!message) child.kill();
   const int status = child.wait();
   const bool is_late = !message || (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU);

@@ -154,7 +154,8 @@ double whole_number(const TiffLayout& layout, const std::byte* bytes, std::size_
     case 16:
       return is_signed ? at<std::int16_t>(bytes, i) : at<std::uint16_t>(bytes, i);
     case 32:
-      return is_signed ? at<std::int32_t>(bytes, i) : at<std::uint32_t>(bytes, i);
+      return is_signed ? static_cast<double>(at<std::int32_t>(bytes, i))
+                       : static_cast<double>(at<std::uint32_t>(bytes, i));
     default: {
       const std::size_t bit = i * layout.bits;
       return at<std::uint8_t>(bytes, bit / 8) >> (8 - layout.bits - bit % 8) & ((1U << layout.bits) - 1);
