@@ -84,14 +84,14 @@ void set_region(PixelMask& mask, const Region& region, int width, int height, bo
 
 std::size_t non_finite_outside(const PixelRows& rows, const PixelRows& other, const PixelMask& mask) {
   std::size_t count = 0;
-  std::vector<float> r(rows.row_values()), t(rows.row_values());
-  const auto is_finite = [](float v) { return std::isfinite(v); };
+  std::vector<double> r(rows.row_values()), t(rows.row_values());
+  const auto is_finite = [](double v) { return std::isfinite(v); };
   for (int y = 0; y < rows.height; ++y) {
     rows.copy_row(y, r.data());
     other.copy_row(y, t.data());
     for (int x = 0; x < rows.width; ++x) {
       const auto at = static_cast<std::ptrdiff_t>(x) * rows.channels;
-      const auto all_finite = [&](const std::vector<float>& row) {
+      const auto all_finite = [&](const std::vector<double>& row) {
         return std::all_of(row.begin() + at, row.begin() + at + rows.channels, is_finite);
       };
       if (!mask.has(x, y) && !(all_finite(r) && all_finite(t))) ++count;
@@ -112,6 +112,14 @@ std::string AllowOver::text() const {
   char number[32];
   return std::string(number, std::to_chars(number, number + sizeof number, amount).ptr) +
          (is_percent ? "%" : "");
+}
+
+std::vector<std::string> Bounds::mask_paths() const {
+  std::vector<std::string> paths;
+  for (const auto* const regions : {&ignore, &only})
+    for (const Region& region : *regions)
+      if (!region.rectangle) paths.push_back(region.mask_path);
+  return paths;
 }
 
 bool Bounds::are_plain() const {
@@ -151,14 +159,14 @@ PixelMask mask_of(const Bounds& bounds, int width, int height) {
 }
 
 BoundedComparison compare_within(const PixelRows& reference, const PixelRows& test, const Bounds& bounds) {
-  const PixelMask mask = mask_of(bounds, reference.width, reference.height);
   BoundedComparison result;
-  result.comparison = compare(reference, test, bounds.limit, mask);
+  result.mask = mask_of(bounds, reference.width, reference.height);
+  result.comparison = compare(reference, test, bounds.limit, result.mask);
   result.allowed_over = bounds.allow_over.of(result.comparison.pixels);
-  if (mask.has_all()) return result;
+  if (result.mask.has_all()) return result;
   const auto all = static_cast<std::size_t>(reference.width) * static_cast<std::size_t>(reference.height);
   result.ignored = all - result.comparison.pixels;
-  result.ignored_non_finite = non_finite_outside(reference, test, mask);
+  result.ignored_non_finite = non_finite_outside(reference, test, result.mask);
   return result;
 }
 

@@ -36,6 +36,8 @@ struct Bounds {
   std::vector<Region> only;    ///< when there are any, all pixels outside of them are left out
   std::string because;         ///< why; empty for bounds that a command line asks for
 
+  /// The mask images among the regions.
+  std::vector<std::string> mask_paths() const;
   bool has_regions() const { return !ignore.empty() || !only.empty(); }
   /// Whether nothing but the tolerance decides.
   bool are_plain() const;
@@ -53,6 +55,7 @@ PixelMask mask_of(const Bounds& bounds, int width, int height);
 
 /// A comparison and what its bounds made of it.
 struct BoundedComparison {
+  PixelMask mask;           ///< of the pixels that count
   Comparison comparison;    ///< of the pixels that count
   std::size_t ignored = 0;  ///< pixels that do not count
   std::size_t ignored_non_finite = 0;

@@ -148,6 +148,15 @@ Bounds BoundsFile::bounds_of(const std::string& name, const Bounds& usual) const
   return bounds;
 }
 
+std::vector<std::string> BoundsFile::mask_paths() const {
+  std::vector<std::string> paths;
+  for (const auto& [name, entry] : entries_) {
+    const std::vector<std::string> masks = bounds_of(name, {}).mask_paths();
+    paths.insert(paths.end(), masks.begin(), masks.end());
+  }
+  return paths;
+}
+
 std::string BoundsFile::complaint_about_others(const std::vector<std::string>& names) const {
   for (const auto& [name, entry] : entries_) {
     if (std::find(names.begin(), names.end(), name) != names.end()) continue;

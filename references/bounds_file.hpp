@@ -25,6 +25,9 @@ class BoundsFile {
   /// `usual`, with what the file says of this name in place of it; its regions are added.
   Bounds bounds_of(const std::string& name, const Bounds& usual) const;
 
+  /// The mask images of all entries.
+  std::vector<std::string> mask_paths() const;
+
   /// A complaint about bounds of what is not among these names; empty when there are none.
   std::string complaint_about_others(const std::vector<std::string>& names) const;
 

@@ -26,14 +26,14 @@ Component component(double reference, bool is_exact, Limit limit) {
 void add_pixel(Tally& tally, const double* reference, const double* test, const std::vector<bool>& are_exact,
                Limit limit, std::size_t number) {
   bool is_finite = true, is_over = false;
-  double worst = -1, judged = 0, largest = 0, sum = 0, squares = 0;
+  double worst = -std::numeric_limits<double>::infinity(), judged = 0, largest = 0, sum = 0, squares = 0;
   for (std::size_t c = 0; c < are_exact.size(); ++c) {
     is_finite = is_finite && std::isfinite(reference[c]) && std::isfinite(test[c]);
     const Component of = component(reference[c], are_exact[c], limit);
     const double difference = std::abs(test[c] - reference[c]);
     is_over = is_over || !(difference <= of.allowed);
     judged = std::max(judged, difference / of.scale);
-    worst = std::max(worst, difference / of.scale);
+    worst = std::max(worst, (limit.is_relative() ? difference - of.allowed : difference) / of.scale);
     largest = std::max(largest, difference);
     sum += difference;
     squares += difference * difference;

@@ -76,7 +76,11 @@ std::string totals(const std::vector<JunitCase>& cases) {
 std::string element(const std::string& suite, const JunitCase& c) {
   const std::string head = "    <testcase" + attribute("name", c.name) + attribute("classname", suite) +
                            attribute("time", seconds_text(c.seconds));
-  if (c.outcome == JunitCase::Outcome::passed) return head + "/>\n";
+  if (c.outcome == JunitCase::Outcome::passed) {
+    if (c.output.empty()) return head + "/>\n";
+    return head + ">\n      <system-out>" + escaped(c.output, Place::text) +
+           "</system-out>\n    </testcase>\n";
+  }
   const bool is_failure = c.outcome == JunitCase::Outcome::failed;
   const std::string tag = is_failure ? "failure" : "error";
   return head + ">\n      <" + tag + attribute("message", c.message) +

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <numeric>
 
 #include "references/comparison_exact.hpp"
@@ -37,10 +38,10 @@ double sum_of_squares(const std::vector<float>& values, const std::vector<double
 /// The pictures, a pair of rows at a time.
 class Trial {
  public:
-  Trial(const PixelRows& reference, const PixelRows& test, double tolerance)
+  Trial(const PixelRows& reference, const PixelRows& test, Limit limit)
       : reference_(reference),
         test_(test),
-        tolerance_(tolerance),
+        limit_(limit),
         channels_(static_cast<std::size_t>(reference.channels)),
         r_(reference.row_values()),
         t_(r_.size()),
@@ -81,15 +82,23 @@ class Trial {
     return rest;
   }
 
-  /// Squared differences of the reference's pixels that a shift moves out of the picture.
+  /// Squared differences of the pixels that have no counterpart under the hypothesis: it lies outside of the
+  /// picture or is not finite.
   double squares_lost(const Hypothesis& h) {
     double sum = 0;
-    const auto is_lost = [](int at, int size) { return at < 0 || at >= size; };
+    std::vector<float> counterparts(t_.size());
     for (int y = 0; y < reference_.height; ++y) {
       reference_.copy_row(y, r_.data());
       test_.copy_row(y, t_.data());
+      const int other = row_of_test(h, y);
+      const bool has_row = other >= 0 && other < reference_.height;
+      if (has_row) test_.copy_row(other, counterparts.data());
       for (int x = 0; x < reference_.width; ++x) {
-        if (is_lost(x + h.dx, reference_.width) || is_lost(y + h.dy, reference_.height)) sum += squares_at(x);
+        const int column = column_of_test(h, x);
+        const bool has_pixel = has_row && column >= 0 && column < reference_.width;
+        if (is_finite(at(r_, x)) && is_finite(at(t_, x)) &&
+            !(has_pixel && is_finite(at(counterparts, column))))
+          sum += squares_at(x);
       }
     }
     return sum;
@@ -100,6 +109,14 @@ class Trial {
 
   int row_of_test(const Hypothesis& h, int y) const {
     return (h.flips_rows ? reference_.height - 1 - y : y) + h.dy;
+  }
+
+  int column_of_test(const Hypothesis& h, int x) const {
+    return (h.mirrors_columns ? reference_.width - 1 - x : x) + h.dx;
+  }
+
+  bool is_finite(const float* pixel) const {
+    return std::all_of(pixel, pixel + channels_, [](float v) { return std::isfinite(v); });
   }
 
   /// Of `count` pixels of the reference's row from x on.
@@ -136,7 +153,7 @@ class Trial {
 
   bool add_row(const Hypothesis& h, double most_squares, Rest& rest) {
     for (int x = 0; x < reference_.width; ++x) {
-      const int other = (h.mirrors_columns ? reference_.width - 1 - x : x) + h.dx;
+      const int other = column_of_test(h, x);
       if (other < 0 || other >= reference_.width) continue;
       if (!add_pixel(h, x, other, rest) || rest.squares > most_squares) return false;
     }
@@ -150,9 +167,8 @@ class Trial {
   bool add_pixel(const Hypothesis& h, int x, int other, Rest& rest) {
     const float* const r = at(r_, x);
     const float* const t = at(t_, other);
-    const auto is_finite = [](float v) { return std::isfinite(v); };
     const int channels = reference_.channels;
-    if (!std::all_of(r, r + channels, is_finite) || !std::all_of(t, t + channels, is_finite)) return true;
+    if (!is_finite(r) || !is_finite(t)) return true;
     if (h.is_level && !std::all_of(t, t + channels, h.is_level)) return false;
     if (!h.because.empty()) return is_within_bounds(h, r, t);
     bool is_over = false;
@@ -160,7 +176,7 @@ class Trial {
     for (int c = 0; c < channels; ++c) {
       const double e = expected(h, r, c), difference = t[c] - e;
       squares += difference * difference;
-      is_over |= !std::isfinite(e) || !(std::abs(difference) <= tolerance_ * std::max(1.0, std::abs(e)));
+      is_over |= !std::isfinite(e) || !(std::abs(difference) <= limit_.at(e));
     }
     rest.squares += squares;
     rest.pixels_over += is_over ? 1 : 0;
@@ -191,7 +207,7 @@ class Trial {
 
   const PixelRows& reference_;
   const PixelRows& test_;
-  double tolerance_;
+  Limit limit_;
   std::size_t channels_;
   std::vector<float> r_;
   std::vector<float> t_;
@@ -202,28 +218,53 @@ class Trial {
 
 /// Whole numbers of so many bits were not made such numbers; those of 8 bits, nothing else either.
 bool is_of_integers(const PixelRows& rows, int bits) {
-  return rows.is_bytes || (bits == 16 && rows.sample == Sample::bits16);
+  return rows.is_bytes || rows.sample == Sample::bits8 || (bits == 16 && rows.sample == Sample::bits16);
+}
+
+/// The picture with NaN where the mask leaves pixels out: a pixel that is not finite explains nothing.
+PixelRows without_masked(const PixelRows& rows, const PixelMask& mask) {
+  ImageFile file = image_of(rows);
+  const auto channels = static_cast<std::size_t>(file.channels);
+  float* pixel = file.values.data();
+  for (int y = 0; y < file.height; ++y) {
+    for (int x = 0; x < file.width; ++x, pixel += channels)
+      if (!mask.has(x, y)) std::fill_n(pixel, channels, std::numeric_limits<float>::quiet_NaN());
+  }
+  return rows_of(std::move(file));
+}
+
+bool moves_pixels(const Hypothesis& h) { return h.dx != 0 || h.dy != 0; }
+bool turns_pixels(const Hypothesis& h) { return h.flips_rows || h.mirrors_columns; }
+
+std::optional<LikelyCause> masked_cause(const PixelRows& reference, const PixelRows& test, Limit limit,
+                                        Comparison comparison, const PixelMask& mask) {
+  const auto all = static_cast<std::size_t>(reference.width) * static_cast<std::size_t>(reference.height);
+  comparison.non_finite += all - comparison.pixels;
+  comparison.pixels = all;
+  return likely_cause(without_masked(reference, mask), without_masked(test, mask), limit, comparison);
 }
 
 }  // namespace
 
-std::optional<LikelyCause> likely_cause(const PixelRows& reference, const PixelRows& test, double tolerance,
-                                        const Comparison& comparison) {
+std::optional<LikelyCause> likely_cause(const PixelRows& reference, const PixelRows& test, Limit limit,
+                                        const Comparison& comparison, const PixelMask& mask) {
+  if (needs_doubles(reference, test)) return std::nullopt;  // these are no colours
+  if (!mask.has_all()) return masked_cause(reference, test, limit, comparison, mask);
   const auto finite = static_cast<double>((comparison.pixels - comparison.non_finite) *
                                           static_cast<std::size_t>(reference.channels));
   const double before = comparison.rms_error * comparison.rms_error * finite;
-  if (!(before > 0)) return std::nullopt;                   // what differs is not finite
-  if (needs_doubles(reference, test)) return std::nullopt;  // nor the accidents of colours
+  if (!(before > 0)) return std::nullopt;  // what differs is not finite
   constexpr double share_left = 0.01;
   std::optional<LikelyCause> best;
-  Trial trial(reference, test, tolerance);
+  Trial trial(reference, test, limit);
   for (const Hypothesis& h : hypotheses()) {
     if (h.is_level && is_of_integers(reference, h.bits)) continue;
     if (comparison.non_finite == 0 && trial.is_refuted(h, share_left * before)) continue;
     const auto rest = trial.rest(h, share_left * before);
     if (!rest) continue;
-    // A shift that merely loses the pixels that differ explains nothing.
-    if ((h.dx != 0 || h.dy != 0) && trial.squares_lost(h) > 0.5 * before) continue;
+    // A move that merely loses the pixels that differ explains nothing.
+    const bool may_lose = moves_pixels(h) || (turns_pixels(h) && comparison.non_finite > 0);
+    if (may_lose && trial.squares_lost(h) > 0.5 * before) continue;
     LikelyCause cause{h.name, h.text, rest->pixels_over, 1 - rest->squares / before, h.because};
     if (cause.pixels_over == 0) return cause;
     if (!best || cause.removed > best->removed) best = cause;

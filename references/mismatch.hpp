@@ -22,8 +22,9 @@ struct LikelyCause {
 /// sRGB curve, the tone map c / (c + 1), half floats, 8 or 16 bits rounded or truncated) and returns the
 /// first that leaves no pixel over, else the one that removes at least 99 % of the squared error (the RMS
 /// error falls to a tenth), else nothing. Pictures of one size and channel count that differ; `comparison` is
-/// theirs.
-std::optional<LikelyCause> likely_cause(const PixelRows& reference, const PixelRows& test, double tolerance,
-                                        const Comparison& comparison);
+/// theirs,
+/// of the pixels of the mask.
+std::optional<LikelyCause> likely_cause(const PixelRows& reference, const PixelRows& test, Limit limit,
+                                        const Comparison& comparison, const PixelMask& mask = {});
 
 }  // namespace plumb::references

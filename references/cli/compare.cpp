@@ -1,141 +1,157 @@
 #include <cstdio>
+#include <filesystem>
 #include <memory>
-#include <optional>
+#include <stdexcept>
 #include <utility>
 
 #include "references/cli/commands.hpp"
+#include "references/cli/compare_pair.hpp"
 #include "references/cli/compare_report.hpp"
-#include "references/cli/compared_contents.hpp"
+#include "references/cli/compare_several.hpp"
 #include "references/cli/metrics.hpp"
 #include "references/cli/options.hpp"
-#include "references/cli/report.hpp"
-#include "references/comparison.hpp"
-#include "references/mismatch.hpp"
-#include "references/shape_mismatch.hpp"
-#include "tracer/image/io.hpp"
+#include "references/image_pairs.hpp"
+#include "references/junit.hpp"
+#include "tracer/image/files.hpp"
+#include "tracer/image/format.hpp"
 
 namespace plumb::cli {
 namespace {
 
-struct Options {
-  std::string reference;
-  std::string test;
-  std::string json;
-  std::string report;
-  double tolerance = 1e-6;
-  bool metrics = false;
-};
+namespace fs = std::filesystem;
+using references::JunitCase;
 
-void refuse_if_unlike(const Options& options, const PixelRows& reference, const PixelRows& test) {
-  const auto shape = [](const PixelRows& i) {
-    return std::to_string(i.width) + " x " + std::to_string(i.height) + " pixels of " +
-           std::to_string(i.channels) + " channel" + (i.channels == 1 ? "" : "s");
-  };
-  const auto mismatch = references::shape_mismatch(reference, test);
-  if (!mismatch) return;
-  throw std::invalid_argument(options.test + ": found " + shape(test) + ", expected " + shape(reference) +
-                              " as in " + options.reference + "; likely cause: " + *mismatch);
-}
-
-std::string components(const std::vector<float>& values) {
-  std::string text;
-  for (const float v : values) {
-    char number[32];
-    std::snprintf(number, sizeof number, "%s%.9g", text.empty() ? "" : " ", static_cast<double>(v));
-    text += number;
+void refuse_to_overwrite_inputs(const CompareOptions& options, const references::Bounds& bounds) {
+  if (options.difference.empty()) return;
+  if (options.difference == "-") throw std::invalid_argument("--diff: found -, expected the name of a file");
+  if (const auto complaint = complaint_about(options.difference, default_encoding(options.difference)))
+    throw std::invalid_argument("--diff: found " + options.difference + ", " + *complaint);
+  std::vector<std::string> inputs = bounds.mask_paths();
+  inputs.insert(inputs.end(), {options.reference, options.test});
+  std::error_code ignored;
+  for (const std::string& input : inputs) {
+    if (fs::equivalent(input, options.difference, ignored))
+      throw std::invalid_argument("--diff: found " + options.difference +
+                                  ", which is an input, expected the name of another file");
   }
-  return text;
 }
 
-struct Findings {
-  references::Comparison comparison;
-  std::optional<references::LikelyCause> cause;
-  std::optional<references::Metrics> metrics;
-  std::string contents;
-  Json contents_json;
-};
-
-void print(const Findings& findings) {
-  const references::Comparison& c = findings.comparison;
-  if (c.non_finite > 0) std::printf("not finite   %zu pixels\n", c.non_finite);
-  std::printf("max error    %.9g\nmean error   %.9g\nRMS error    %.9g\npixels over  %zu of %zu\n",
-              c.max_error, c.mean_error, c.rms_error, c.pixels_over, c.pixels);
-  std::printf("worst pixel  (%d, %d): test %s, reference %s\n", c.worst.x, c.worst.y,
-              components(c.worst.test).c_str(), components(c.worst.reference).c_str());
-  if (findings.metrics) std::fputs(metrics_table(*findings.metrics).c_str(), stdout);
-  if (findings.cause) std::printf("likely cause: %s\n", cause_text(*findings.cause).c_str());
-  std::fputs(findings.contents.c_str(), stdout);
-  std::printf("%s\n", c.agrees() ? "agree" : "differ");
+JunitCase junit_case(const CompareOptions& options, const Findings& f) {
+  const std::string details = details_of(f);
+  if (f.agrees()) return {options.test, JunitCase::Outcome::passed, "", "", 0, output_of(f)};
+  return {options.test, JunitCase::Outcome::failed, details.substr(0, details.find('\n')), details, 0, {}};
 }
 
-references::Metrics metrics_of(const PixelRows& reference, const PixelRows& test) {
-  const bool is_srgb = reference.sample == Sample::bits8 && test.sample == Sample::bits8;
-  const ImageFile r = image_of(reference), t = image_of(test);
-  const auto view = [](const ImageFile& i) {
-    return references::PictureView{i.width, i.height, i.channels, i.values.data()};
-  };
-  return references::all_metrics(view(r), view(t),
-                                 is_srgb ? references::ColourSpace::srgb : references::ColourSpace::linear);
+void write_junit(const CompareOptions& options, const JunitCase& result) {
+  if (!options.junit.empty()) write_file(options.junit, references::junit_xml(options.reference, {result}));
 }
 
-Json json_of(const Options& options, const PixelRows& test, const Findings& findings) {
-  const references::Comparison& c = findings.comparison;
-  Json json{{"tool", "plumb"},
-            {"version", PLUMB_VERSION},
-            {"reference", options.reference},
-            {"test", options.test},
-            {"status", c.agrees() ? "agree" : "differ"},
-            {"tolerance", options.tolerance},
-            {"width", test.width},
-            {"height", test.height}};
-  json.update(to_json(c));
-  json.update(findings.contents_json);
-  json["worst"]["test"] = c.worst.test;
-  if (findings.cause) json["likely_cause"] = to_json(*findings.cause);
-  if (findings.metrics) json["metrics"] = to_json(*findings.metrics);
-  return json;
-}
-
-int run_compare(const Options& options) {
-  PixelRows reference = open_image(options.reference);
-  PixelRows test = open_image(options.test);
-  references::leave_out_opaque_alpha(reference, test);
-  refuse_if_unlike(options, reference, test);
-  const NamedRows named_reference{options.reference, reference}, named_test{options.test, test};
-  Findings findings{references::compare(reference, test, options.tolerance), {}, {}, {}, {}};
-  const references::Comparison& c = findings.comparison;
-  if (!c.agrees()) findings.cause = references::likely_cause(reference, test, options.tolerance, c);
-  if (options.metrics) findings.metrics = metrics_of(reference, test);
-  findings.contents = contents_text(named_reference, named_test);
-  findings.contents_json = contents_json(named_reference, named_test);
-  if (options.json != "-") print(findings);
-  if (!options.json.empty()) write_json(options.json, json_of(options, test, findings));
+int compare_one(const CompareOptions& options) {
+  const references::Bounds bounds = bounds_of(options.bounds, options.tolerance);
+  refuse_to_overwrite_inputs(options, bounds);
+  Findings findings = compare_files(options.reference, options.test, bounds, options.pair);
+  const int code = findings.agrees() ? exit_agrees : exit_differs;
+  if (options.says_text()) print(findings);
+  const Json json = json_of(findings);
+  if (!options.json.empty()) write_json(options.json, json);
+  write_junit(options, junit_case(options, findings));
+  if (!options.difference.empty()) write_difference(options.difference, findings, options.says_text());
   if (!options.report.empty()) {
-    const Json json = json_of(options, test, findings);
-    write_compare_report(options.report, {options.reference, std::move(reference)},
-                         {options.test, std::move(test)}, options.tolerance, json);
-    if (options.json != "-") say_report(options.report);
+    CompareReport report(options.report, "plumb compare: " + options.test, "against " + options.reference);
+    report.add(options.test, std::move(findings), json);
+    report.finish();
+    if (options.says_text()) say_report(options.report);
   }
-  return c.agrees() ? exit_agrees : exit_differs;
+  return code;
+}
+
+void expect_sensible(const CompareOptions& options) {
+  if (options.json == "-" && options.junit == "-")
+    throw std::invalid_argument("--json and --junit: found - for both, expected a FILE for one of them");
+  const bool has_regions = !options.bounds.ignore.empty() || !options.bounds.only.empty();
+  if (options.pair.metrics && has_regions)
+    throw std::invalid_argument("--metrics: they are of whole pictures, expected no --ignore and no --only");
+  for (const std::string& channel : options.pair.read.channels)
+    if (channel.empty()) throw std::invalid_argument("--channels: found an empty name, expected e.g. R,G,B");
+}
+
+/// A directory is compared with nothing but several images.
+void expect_both_several(const std::string& several, const std::string& other) {
+  if (!fs::exists(other))
+    throw std::runtime_error(other + ": there is no such file, expected a directory or a pattern as " +
+                             several);
+}
+
+int run_compare(const CompareOptions& options) {
+  expect_sensible(options);
+  using references::names_several;
+  try {
+    if (names_several(options.reference) && !names_several(options.test))
+      expect_both_several(options.reference, options.test);
+    if (names_several(options.test) && !names_several(options.reference))
+      expect_both_several(options.test, options.reference);
+    return names_several(options.reference) && names_several(options.test) ? compare_several(options)
+                                                                           : compare_one(options);
+  } catch (const std::exception& error) {
+    // An error that ends all stands in the file, too: there is no result of an earlier run in its place.
+    const std::string message = error.what();
+    write_junit(
+        options,
+        {"plumb compare", JunitCase::Outcome::error, message.substr(0, message.find('\n')), message, 0, {}});
+    throw;
+  }
+}
+
+void add_outputs(CLI::App& app, CompareOptions& options) {
+  app.add_option("--json", options.json, "write the results as JSON; - is standard output")
+      ->type_name("FILE");
+  app.add_option("--junit", options.junit, "write the results as JUnit XML; - is standard output")
+      ->type_name("FILE");
+  app.add_option("--report", options.report, "write a report with the pictures to DIR/index.html")
+      ->type_name("DIR");
+  app.add_option(
+         "--diff", options.difference,
+         "write |test - reference| as an image: .exr and .pfm hold it as it is, .png and .ppm scaled so "
+         "that the largest is white; of directories a directory of .exr")
+      ->type_name("FILE|DIR");
+}
+
+void add_selection(CLI::App& app, CompareOptions& options) {
+  app.add_option("--channels", options.pair.read.channels,
+                 "compare these channels alone, by name, e.g. R,G,B")
+      ->type_name("NAMES")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  app.add_option("--part", options.pair.read.part, "of files with several parts or pages, the one to compare")
+      ->type_name("NAME|N");
 }
 
 }  // namespace
 
 Command add_compare(CLI::App& plumb) {
-  CLI::App* app =
-      plumb.add_subcommand("compare", "Compare two image files of the same size, value by value.");
-  auto options = std::make_shared<Options>();
-  app->add_option("REFERENCE", options->reference, "image that is taken to be right")->required();
-  app->add_option("TEST", options->test, "image to be judged")->required();
+  CLI::App* app = plumb.add_subcommand(
+      "compare", "Compare two image files of the same size, or those of two directories, value by value.");
+  auto options = std::make_shared<CompareOptions>();
+  app->add_option("REFERENCE", options->reference,
+                  "image that is taken to be right; a directory of such, or a quoted pattern")
+      ->required();
+  app->add_option("TEST", options->test, "image to be judged; a directory of such, or a quoted pattern")
+      ->required();
   add_tolerance(*app, options->tolerance);
-  app->add_flag("--metrics", options->metrics, "also PSNR, percentiles, bias, SSIM and FLIP");
-  app->add_option("--json", options->json, "write the results as JSON; - is standard output")
-      ->type_name("FILE");
-  app->add_option("--report", options->report, "write a report with both pictures to DIR/index.html")
-      ->type_name("DIR");
+  add_bounds(*app, options->bounds);
+  add_selection(*app, *options);
+  app->add_flag("--metrics", options->pair.metrics, "also PSNR, percentiles, bias, SSIM and FLIP");
+  add_outputs(*app, *options);
   app->footer(
       "Example: plumb compare reference.exr mine.exr --tolerance 0.001\n"
-      "Values are compared as they stand in the files; 8 and 16 bits count from 0 to 1.\n" +
+      "         plumb compare references mine --junit results.xml\n"
+      "         plumb compare 'references/*.exr' 'mine/*.png' --report report\n"
+      "Values are compared as they stand in the files; 8 and 16 bits count from 0 to 1.\n"
+      "Images of two directories are paired by their names, in subdirectories too; those with another "
+      "extension "
+      "also, where each side has one. A missing or surplus image is trouble. REFERENCE/bounds.json may bound "
+      "single images: {\"glass\": {\"allow_over\": \"0.1%\", \"ignore\": [\"0,0,64,16\"], \"because\": \"the "
+      "clock\"}}, with tolerance, relative, allow_over, ignore and only as the options.\n" +
       std::string(metrics_help) + "\nExit codes: 0 agree, 1 differ, 2 trouble.");
   return {app, [options] { return run_compare(*options); }};
 }

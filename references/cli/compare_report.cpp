@@ -3,8 +3,8 @@
 #include <memory>
 #include <utility>
 
+#include "references/cli/bounds_options.hpp"
 #include "references/cli/options.hpp"
-#include "references/report/report_writer.hpp"
 
 namespace plumb::cli {
 namespace {
@@ -35,22 +35,33 @@ std::string remark(int channels) {
 
 }  // namespace
 
-void write_compare_report(const std::string& directory, NamedImage reference, NamedImage test,
-                          double tolerance, const Json& result) {
+CompareReport::CompareReport(const std::string& directory, const std::string& title,
+                             const std::string& subtitle)
+    : writer_(directory, title, subtitle) {}
+
+void CompareReport::add(const std::string& name, Findings&& findings, const Json& result) {
   references::ReportEntry entry;
-  entry.name = test.path;
+  entry.name = name;
   entry.result = result;
-  const std::string said = remark(test.rows.channels);
-  entry.reference = shown(std::move(reference.rows));
-  entry.test = shown(std::move(test.rows));
-  if (!said.empty()) {
-    entry.result["message"] = said;
-    warn("report: " + said);
-  }
-  entry.tolerance = tolerance;
-  references::ReportWriter writer(directory, "plumb compare: " + test.path, "against " + reference.path);
-  writer.add(entry);
-  writer.finish();
+  std::string said = remark(findings.test.channels);
+  if (!said.empty()) warn("report: " + said);
+  const std::string allowed = bounds_text(findings.bounds, findings.result);
+  if (!allowed.empty()) said += (said.empty() ? "bounds: " : "\nbounds: ") + allowed;
+  const std::string contents = contents_of(findings);
+  if (!contents.empty()) said += (said.empty() ? "" : "\n") + contents.substr(0, contents.size() - 1);
+  if (!said.empty()) entry.result["message"] = said;
+  entry.tolerance = findings.bounds.limit;
+  entry.mask = findings.result.mask;
+  entry.reference = shown(std::move(findings.reference));
+  entry.test = shown(std::move(findings.test));
+  writer_.add(entry);
+}
+
+void CompareReport::add_trouble(const std::string& name, const Json& result) {
+  references::ReportEntry entry;
+  entry.name = name;
+  entry.result = result;
+  writer_.add(entry);
 }
 
 }  // namespace plumb::cli

@@ -1,23 +1,27 @@
-// The report of two image files.
+// The report of image files that were compared.
 #pragma once
 
 #include <string>
 
-#include "references/cli/report.hpp"
-#include "tracer/image/pixel_rows.hpp"
+#include "references/cli/compare_pair.hpp"
+#include "references/report/report_writer.hpp"
 
 namespace plumb::cli {
 
-/// An image and the path that it was read from.
-struct NamedImage {
-  std::string path;
-  PixelRows rows;
-};
+class CompareReport {
+ public:
+  /// Throws std::runtime_error when the directory cannot be written; so do the others.
+  CompareReport(const std::string& directory, const std::string& title, const std::string& subtitle);
 
-/// Writes DIRECTORY/index.html and gives the rows back before; `result` is what --json says. One channel is
-/// shown as grey, alpha is dropped and that is said. Throws std::runtime_error when the directory cannot be
-/// written.
-void write_compare_report(const std::string& directory, NamedImage reference, NamedImage test,
-                          double tolerance, const Json& result);
+  /// Gives the rows of the findings back; `result` is what --json says. One channel is shown as grey, alpha
+  /// is dropped and that is said.
+  void add(const std::string& name, Findings&& findings, const Json& result);
+  /// A pair that could not be compared.
+  void add_trouble(const std::string& name, const Json& result);
+  void finish() { writer_.finish(); }
+
+ private:
+  references::ReportWriter writer_;
+};
 
 }  // namespace plumb::cli

@@ -10,6 +10,9 @@
 namespace plumb::references {
 namespace {
 
+constexpr const char* over_cause = "over";
+constexpr const char* ignored_cause = "ignored";
+
 std::uint32_t bits(float value) { return std::bit_cast<std::uint32_t>(value); }
 
 /// `bits_of` gives the bits of value i; a large picture is not held once more for them.
@@ -26,7 +29,14 @@ void append_shuffled(std::string& bytes, std::size_t values, BitsOf bits_of) {
   }
 }
 
+bool is_ignored(const ReportEntry& entry, std::size_t pixel) {
+  if (entry.mask.has_all()) return false;
+  const auto width = static_cast<std::size_t>(entry.test->width);
+  return !entry.mask.has(static_cast<int>(pixel % width), static_cast<int>(pixel / width));
+}
+
 bool is_over(const ReportEntry& entry, std::size_t pixel) {
+  if (!entry.tolerance || is_ignored(entry, pixel)) return false;
   return !is_within(entry.reference->rgb.data() + 3 * pixel, entry.test->rgb.data() + 3 * pixel,
                     *entry.tolerance);
 }
@@ -48,6 +58,11 @@ void check(const ReportEntry& entry) {
   }
 }
 
+/// Counted from 1; past the end when it is not among them.
+char place_of(const std::vector<std::string>& causes, const std::string& cause) {
+  return static_cast<char>(std::find(causes.begin(), causes.end(), cause) - causes.begin() + 1);
+}
+
 void append_notes(std::string& bytes, const ReportEntry& entry) {
   const std::vector<std::string> causes = causes_of(entry);
   if (causes.size() > 255) {
@@ -57,12 +72,13 @@ void append_notes(std::string& bytes, const ReportEntry& entry) {
   const std::size_t start = bytes.size();
   const std::size_t pixels = entry.test->rgb.size() / 3;
   bytes.append(pixels, '\0');
-  for (std::size_t i = 0; entry.tolerance && i < pixels; ++i) bytes[start + i] = is_over(entry, i) ? 1 : 0;
+  const char over = place_of(causes, over_cause), ignored = place_of(causes, ignored_cause);
+  for (std::size_t i = 0; i < pixels; ++i)
+    bytes[start + i] = is_over(entry, i) ? over : is_ignored(entry, i) ? ignored : '\0';
   nlohmann::json texts = nlohmann::json::object();  // sorted: an ordered one searches all its keys each time
   for (const PixelNote& note : entry.notes) {
     const std::size_t pixel = entry.test->offset(note.x, note.y) / 3;
-    const auto place = std::find(causes.begin(), causes.end(), note.cause) - causes.begin();
-    bytes[start + pixel] = static_cast<char>(place + 1);
+    bytes[start + pixel] = place_of(causes, note.cause);
     if (!note.text.empty()) texts[std::to_string(pixel)] = note.text;
   }
   bytes += texts.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
@@ -72,9 +88,14 @@ void append_notes(std::string& bytes, const ReportEntry& entry) {
 
 std::vector<std::string> causes_of(const ReportEntry& entry) {
   std::vector<std::string> causes;
-  const std::size_t pixels = entry.tolerance ? entry.test->rgb.size() / 3 : 0;
-  for (std::size_t i = 0; i < pixels && causes.empty(); ++i)
-    if (is_over(entry, i)) causes.push_back("over");
+  const std::size_t pixels = entry.test ? entry.test->rgb.size() / 3 : 0;
+  const auto add_if_any = [&](auto is_so, const char* cause) {
+    std::size_t i = 0;
+    while (i < pixels && !is_so(entry, i)) ++i;
+    if (i < pixels) causes.emplace_back(cause);
+  };
+  if (entry.tolerance) add_if_any(is_over, over_cause);
+  if (!entry.mask.has_all()) add_if_any(is_ignored, ignored_cause);
   for (const PixelNote& note : entry.notes) {
     if (std::find(causes.begin(), causes.end(), note.cause) == causes.end()) causes.push_back(note.cause);
   }

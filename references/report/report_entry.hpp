@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "references/limit.hpp"
+#include "references/pixel_mask.hpp"
 #include "tracer/image/image.hpp"
 
 namespace plumb::references {
@@ -25,9 +27,10 @@ struct ReportEntry {
   nlohmann::ordered_json result;
   std::shared_ptr<const Image> reference, test;  ///< of one size; both null for a scene in trouble
   std::vector<PixelNote> notes;                  ///< pixels over the tolerance
-  std::optional<double> tolerance;  ///< marks every pixel over it "over"; for pictures without notes
-  std::string explain_command;      ///< " X Y" is added, e.g. "plumb explain scene.sdf"; may be empty
-  std::string approve_command;      ///< makes this picture the baseline; may be empty
+  std::optional<Limit> tolerance;  ///< marks every pixel over it "over"; for pictures without notes
+  PixelMask mask;                  ///< marks every pixel that does not count "ignored"
+  std::string explain_command;     ///< " X Y" is added, e.g. "plumb explain scene.sdf"; may be empty
+  std::string approve_command;     ///< makes this picture the baseline; may be empty
 };
 
 }  // namespace plumb::references

@@ -30,9 +30,11 @@ export function draw_marks(context, transform, {over, picked}) {
 /** Pixels with a cause, and those that are not finite. */
 export function marked_pixels(picture, causes) {
   const unexplained = causes.indexOf("unexplained") + 1;
+  const ignored = causes.indexOf("ignored") + 1;
   const found = [];
   for (let i = 0; i < picture.causes.length; ++i) {
     const cause = picture.causes[i];
+    if (ignored > 0 && cause === ignored) continue;
     if (cause === 0 && !Number.isNaN(picture.errors[i])) continue;
     found.push({x: i % picture.width, y: Math.floor(i / picture.width), is_unexplained: cause === 0 || cause === unexplained});
   }

@@ -8,7 +8,7 @@ import {remember} from "./router.js";
 import {Stage} from "./stage.js";
 import {badge} from "./status.js";
 import {picture_of} from "./store.js";
-import {figures, metrics, terms} from "./tables.js";
+import {bounds, figures, metrics, terms} from "./tables.js";
 import {make_toolbar, modes, most_stops} from "./toolbar.js";
 
 const half_stop = 0.5;
@@ -104,6 +104,7 @@ export class SceneView {
       result.budget || result.not_compared ? panel("Pixel budget", ...budget_of(result)) : null,
       result.terms ? panel("Term by term", terms(result)) : null,
       panel("Figures", figures(scene)),
+      result.bounds ? panel("Bounds", bounds(result)) : null,
       result.metrics ? panel("Metrics", metrics(result)) : null,
       scene.approve ? panel("Approve", element("p", {class: "hint"}, "If the new picture is right, this makes it the baseline:"),
         command(scene.approve, "approve this picture")) : null,

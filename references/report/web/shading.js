@@ -4,6 +4,8 @@ import {packed} from "./heat.js";
 const opaque = 255 << 24;
 const magenta = (opaque | 255 << 16 | 255) >>> 0;
 const black = opaque >>> 0;
+const grey = (opaque | 0x909090) >>> 0;
+const dark_grey = (opaque | 0x505050) >>> 0;
 const levels = 1 << 14;
 
 /** IEC 61966-2-1; without it, the values themselves. */
@@ -42,9 +44,14 @@ export function shaded(picture, values, exposure, is_srgb) {
   });
 }
 
-export function heat_map(picture, range) {
+/** Pixels that were not compared: a hatching of greys, which no error has. */
+const hatching = (i, width) => (((i % width) + Math.floor(i / width)) % 4 < 2 ? grey : dark_grey);
+
+/** `ignored`: the number of that cause, 0 when there is none. */
+export function heat_map(picture, range, ignored) {
   const step = (packed.length - 1) / (range.high - range.low);
   return canvas_of(picture, (i) => {
+    if (ignored > 0 && picture.causes[i] === ignored) return hatching(i, picture.width);
     const error = picture.errors[i];
     if (Number.isNaN(error)) return warning(i, picture.width);
     if (error === 0) return black;

@@ -30,6 +30,7 @@ export class Stage {
     const is_alike = this.picture?.width === picture.width && this.picture.height === picture.height;
     this.picture = picture;
     this.marked = marked_pixels(picture, causes);
+    this.ignored = causes.indexOf("ignored") + 1;
     this.sources = {};
     this.picked = null;
     if (!is_alike) this.is_fitting = true;
@@ -97,7 +98,7 @@ export class Stage {
   /** A picture as the screen shows it, made when it is first needed. */
   source(name) {
     const {exposure, is_srgb} = this.view;
-    this.sources[name] ??= name === "error" ? heat_map(this.picture, this.range())
+    this.sources[name] ??= name === "error" ? heat_map(this.picture, this.range(), this.ignored)
       : shaded(this.picture, this.picture[name], exposure, is_srgb);
     return this.sources[name];
   }

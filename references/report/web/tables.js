@@ -27,6 +27,8 @@ export function figures(scene) {
   return pairs(rows);
 }
 
+export const bounds = (result) => pairs(flat(result.bounds));
+
 export const metrics = (result) => pairs(flat(result.metrics));
 
 /** One row a term, one column a figure. */
