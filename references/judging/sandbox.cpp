@@ -102,7 +102,9 @@ class Watch {
     if (run_.exit_code > 128 && run_.exit_code < 128 + 65) run_.signal = run_.exit_code - 128;
     if (run_.signal == SIGXCPU) run_.ending = Ending::too_much_cpu;
     if (group_.ran_out_of_tasks()) run_.ending = Ending::too_many_processes;
-    if (printed_ > limits_.printed_bytes || is_disk_full()) run_.ending = Ending::too_much_output;
+    // A limit on the size of files that plumb was started with holds for the program, too.
+    if (run_.signal == SIGXFSZ || printed_ > limits_.printed_bytes || is_disk_full())
+      run_.ending = Ending::too_much_output;
     set_not_executed();
   }
 

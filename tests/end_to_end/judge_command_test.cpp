@@ -162,6 +162,13 @@ TEST_F(JudgeRuns, AFailingSandboxIsNoVerdict) {
       {"/tmp", "move"});
 }
 
+TEST_F(JudgeRuns, AWordOfTheCommandDoesNotShowAllThatThereIs) {
+  const Outcome outcome =
+      judge({"--renderer", "/bin/sh -c 'test ! -e /home || exit 3' / /tmp /tmp/ {scene}"});
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+  EXPECT_TRUE(contains(outcome.out, "no-image")) << outcome.out;
+}
+
 TEST_F(JudgeRuns, OneTracerWithoutAShell) {
   const Outcome outcome = judge({"--renderer", "'" PLUMB_BINARY "' render {scene} -o {image}", "--report",
                                  "report", "--csv", "c.csv", "--junit", "u.xml"});
