@@ -1,18 +1,13 @@
 #include "references/baselines.hpp"
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <stdexcept>
 
 #include "references/digest.hpp"
+#include "references/directory_lock.hpp"
 #include "tracer/image/files.hpp"
 #include "tracer/image/io.hpp"
 
@@ -82,24 +77,6 @@ std::string text_of(const std::vector<Baseline>& entries, const std::string& dir
   }
 }
 
-/// One update at a time: held until the end of its scope.
-class Lock {
- public:
-  explicit Lock(const std::string& directory)
-      : descriptor_(::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
-    if (descriptor_ >= 0 && ::flock(descriptor_, LOCK_EX) == 0) return;
-    const int error = errno;
-    if (descriptor_ >= 0) ::close(descriptor_);
-    throw std::runtime_error(directory + ": cannot be locked: " + std::strerror(error));
-  }
-  ~Lock() { ::close(descriptor_); }
-  Lock(const Lock&) = delete;
-  Lock& operator=(const Lock&) = delete;
-
- private:
-  int descriptor_;
-};
-
 }  // namespace
 
 Baselines::Baselines(std::string directory) : directory_(std::move(directory)) {
@@ -155,7 +132,7 @@ Image Baselines::load(const Baseline& entry) const {
 }
 
 BaselineUpdate::BaselineUpdate(std::string directory, const std::string& aside)
-    : directory_(std::move(directory)), aside_(aside + "/.plumb-") {}
+    : directory_(std::move(directory)), aside_(aside) {}
 
 void BaselineUpdate::add(Baseline record, const Image& image) {
   record.width = image.width;
@@ -167,7 +144,7 @@ void BaselineUpdate::add(Baseline record, const Image& image) {
 
 void BaselineUpdate::commit() {
   fs::create_directories(directory_);
-  const Lock lock(directory_);
+  const DirectoryLock lock(directory_);
   std::vector<Baseline> entries = Baselines(directory_).all();
   for (const Baseline& record : added_) put(entries, record);
   std::erase_if(entries, [&](const Baseline& b) {

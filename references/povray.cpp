@@ -1,13 +1,20 @@
 #include "references/povray.hpp"
 
+#include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cerrno>
+#include <cstdint>
 #include <cstdlib>
+#include <cstring>
 #include <sstream>
 #include <utility>
 
 #include "references/povray_state.hpp"
 #include "references/process.hpp"
+#include "tracer/image/descriptor.hpp"
 #include "tracer/image/files.hpp"
 #include "tracer/image/io.hpp"
 #include "tracer/scene/writer.hpp"
@@ -65,8 +72,35 @@ std::string why_it_failed(const ProcessResult& result, const PovrayJob& job) {
          (said.empty() ? "it gave no reason" : said);
 }
 
+/// The bytes of a file that POV-Ray left: a regular one of a size that fits the picture, as far as it was
+/// written then, so that reading it comes to an end.
+std::string bytes_left(const std::string& path, const PovrayJob& job) {
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+  struct stat info {};
+  if (file.number() < 0 || ::fstat(file.number(), &info) != 0)
+    throw std::runtime_error(path + ": cannot be read: " + std::strerror(errno));
+  constexpr std::int64_t bytes_of_a_pixel = 64;  // because a state file holds five floats of it
+  constexpr std::int64_t bytes_beside = std::int64_t{1} << 26;
+  const std::int64_t most = bytes_beside + bytes_of_a_pixel * job.width * job.height;
+  if (!S_ISREG(info.st_mode)) throw std::runtime_error(path + ": is no regular file");
+  if (info.st_size > most) {
+    throw std::runtime_error(path + ": found " + std::to_string(info.st_size) + " bytes, expected at most " +
+                             std::to_string(most));
+  }
+  std::string bytes(static_cast<std::size_t>(info.st_size), '\0');
+  std::size_t size = 0;
+  for (ssize_t got = 1; got > 0 && size < bytes.size();
+       size += static_cast<std::size_t>(std::max(got, ssize_t{0})))
+    got = ::read(file.number(), bytes.data() + size, bytes.size() - size);
+  bytes.resize(size);
+  return bytes;
+}
+
 Image read_png(const std::string& path, const PovrayJob& job) {
-  const ImageFile file = read_image(path);
+  const TemporaryDirectory own;  // out of the program's reach
+  const std::string copy = own.path() + "/out.png";
+  write_file(copy, bytes_left(path, job));
+  const ImageFile file = read_image(copy);
   if (file.width != job.width || file.height != job.height || file.channels != 3) {
     throw std::runtime_error("its PNG has another size or channel count than asked for");
   }
@@ -149,7 +183,7 @@ PovrayPicture Povray::render(const PovrayJob& job) const {
     return picture;
   }
   try {
-    picture.image = read_povray_state(read_file(state), job.width, job.height);
+    picture.image = read_povray_state(bytes_left(state, job), job.width, job.height);
     picture.precision = "float32";
   } catch (const std::runtime_error& error) {
     fall_back_to_png(directory.path() + "/out.png", job, error.what(), picture);

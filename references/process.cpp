@@ -16,8 +16,9 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <stdexcept>
+
+#include "tracer/image/leftovers.hpp"
 
 namespace plumb::references {
 namespace {
@@ -89,26 +90,37 @@ ProcessResult wait_for(pid_t child, double limit_seconds) {
   return result;
 }
 
-std::string read_start_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
+/// Of the file that was given to the program, whatever now stands under its name.
+std::string read_start_of(const Descriptor& file) {
   std::string text(longest_output, '\0');
-  file.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(file.gcount()));
+  std::size_t size = 0;
+  while (size < text.size()) {
+    const ssize_t got =
+        pread(file.number(), text.data() + size, text.size() - size, static_cast<off_t>(size));
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) break;
+    size += static_cast<std::size_t>(got);
+  }
+  text.resize(size);
   return text;
 }
 
 }  // namespace
 
-TemporaryDirectory::TemporaryDirectory()
-    : TemporaryDirectory((std::filesystem::temp_directory_path() / "plumb-").string()) {}
+TemporaryDirectory::TemporaryDirectory() { make(std::filesystem::temp_directory_path().string(), ""); }
 
-TemporaryDirectory::TemporaryDirectory(const std::string& path_prefix) {
-  std::string pattern = path_prefix + "XXXXXX";
+TemporaryDirectory::TemporaryDirectory(const std::string& parent) { make(parent, "."); }
+
+void TemporaryDirectory::make(const std::string& parent, const std::string& prefix) {
+  remove_leftovers(parent);
+  std::string pattern = (std::filesystem::path(parent) / (prefix + temporary_name() + "XXXXXX")).string();
   if (mkdtemp(pattern.data()) == nullptr) {
     throw std::runtime_error(pattern + ": no temporary directory: " + std::strerror(errno));
   }
   path_ = pattern;
   on_signal_.emplace(path_);
+  claim_.emplace(::open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  claim_temporary(claim_->number());
 }
 
 TemporaryDirectory::~TemporaryDirectory() {
@@ -117,20 +129,20 @@ TemporaryDirectory::~TemporaryDirectory() {
 }
 
 ProcessResult run_process(const std::vector<std::string>& command, const std::string& directory,
-                          const ProcessLimits& limits) {
+                          const ProcessLimits& limits, const std::vector<std::string>& variables) {
   const std::vector<char*> arguments = pointers(command);
-  const std::vector<std::string> variables{"HOME=" + directory, "PATH=/usr/bin:/bin", "LC_ALL=C",
-                                           "TMPDIR=" + directory};
-  const std::vector<char*> environment = pointers(variables);
+  std::vector<std::string> all = variables;  // of a name that is there twice, the first counts
+  all.insert(all.end(), {"HOME=" + directory, "PATH=/usr/bin:/bin", "LC_ALL=C", "TMPDIR=" + directory});
+  const std::vector<char*> environment = pointers(all);
   const std::string output_path = directory + "/" + output_name;
-  const int output = open(output_path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
-  if (output < 0) throw std::runtime_error(output_path + ": cannot be written: " + std::strerror(errno));
+  const Descriptor output(open(output_path.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0600));
+  if (output.number() < 0)
+    throw std::runtime_error(output_path + ": cannot be written: " + std::strerror(errno));
   const pid_t child = fork();
-  if (child == 0) become(arguments.data(), environment.data(), directory.c_str(), output, limits);
-  close(output);
+  if (child == 0) become(arguments.data(), environment.data(), directory.c_str(), output.number(), limits);
   if (child < 0) throw std::runtime_error(command.front() + ": cannot be started: " + std::strerror(errno));
   ProcessResult result = wait_for(child, limits.seconds);
-  result.output = read_start_of(output_path);
+  result.output = read_start_of(output);
   return result;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tracer/image/cleanup.hpp"
+#include "tracer/image/descriptor.hpp"
 
 namespace plumb::references {
 
@@ -24,26 +25,32 @@ struct ProcessResult {
   std::string output;      ///< standard output and error, at most 1 MiB
 };
 
-/// A directory that is removed with all it holds at the end of its scope, or by a signal.
+/// A directory that is removed with all it holds at the end of its scope, or by a signal; what a run leaves
+/// that is killed, a later one removes.
 class TemporaryDirectory {
  public:
   TemporaryDirectory();  ///< Throws std::runtime_error.
-  /// Where a file shall be renamed from, its directory must lie beside the target. Throws std::runtime_error.
-  explicit TemporaryDirectory(const std::string& path_prefix);
+  /// A hidden one in `parent`: what shall be renamed lies on the file system of its target. Throws
+  /// std::runtime_error.
+  explicit TemporaryDirectory(const std::string& parent);
   ~TemporaryDirectory();
   TemporaryDirectory(const TemporaryDirectory&) = delete;
   TemporaryDirectory& operator=(const TemporaryDirectory&) = delete;
   const std::string& path() const { return path_; }
 
  private:
+  void make(const std::string& parent, const std::string& prefix);
+
   std::string path_;
   std::optional<RemovedOnSignal> on_signal_;
+  std::optional<Descriptor> claim_;
 };
 
 /// Runs a program (an absolute path) without a shell, in `directory`, which is also its HOME, with nothing
-/// else in its environment and no standard input. Throws std::runtime_error when it cannot be started.
+/// else but `variables`, each NAME=value and before ours, in its environment and no standard input. Throws
+/// std::runtime_error when it cannot be started.
 ProcessResult run_process(const std::vector<std::string>& command, const std::string& directory,
-                          const ProcessLimits& limits);
+                          const ProcessLimits& limits, const std::vector<std::string>& variables = {});
 
 /// Absolute path of a program on PATH, or empty.
 std::string find_program(const std::string& name);

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "references/digest.hpp"
+#include "references/directory_lock.hpp"
 #include "tracer/image/files.hpp"
 #include "tracer/image/io.hpp"
 
@@ -77,6 +78,8 @@ Image StoredReferences::load(const StoredReference& entry) const {
 void StoredReferences::store(StoredReference entry, const Image& image) {
   entry.pixels_sha256 = sha256(image.rgb);
   std::filesystem::create_directories(directory_);
+  const DirectoryLock lock(directory_);
+  entries_ = StoredReferences(directory_).entries_;  // others may have stored since
   write_image(directory_ + "/" + entry.image, image, Encoding::linear);
   const auto same = std::find_if(entries_.begin(), entries_.end(),
                                  [&](const StoredReference& e) { return e.scene == entry.scene; });

@@ -36,7 +36,8 @@ class StoredReferences {
   /// The pixels, checked against their hash. Throws std::runtime_error.
   Image load(const StoredReference& entry) const;
 
-  /// Writes image and entry, in place of one for the same scene.
+  /// Writes image and entry, in place of one for the same scene; what others have stored since stays. Throws
+  /// std::runtime_error.
   void store(StoredReference entry, const Image& image);
 
  private:

@@ -1,12 +1,15 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <new>
+#include <system_error>
 #include <vector>
 
 #include "references/cli/commands.hpp"
 #include "references/cli/options.hpp"
 #include "references/cli/slips.hpp"
+#include "tracer/image/leftovers.hpp"
 
 namespace plumb::cli {
 namespace {
@@ -29,6 +32,8 @@ int run(int argc, char** argv) {
     if (code != 0 && !likely_slip(app).empty()) std::fprintf(stderr, "%s\n", likely_slip(app).c_str());
     return code == 0 ? exit_agrees : exit_trouble;
   }
+  std::error_code no_directory;
+  remove_leftovers(std::filesystem::temp_directory_path(no_directory).string());
   for (const Command& command : commands) {
     if (command.app->parsed()) return command.run();
   }

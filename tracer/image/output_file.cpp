@@ -10,6 +10,8 @@
 #include <random>
 #include <stdexcept>
 
+#include "tracer/image/leftovers.hpp"
+
 namespace plumb {
 namespace {
 
@@ -31,12 +33,13 @@ bool is_special(const std::string& path) {
   return stat(path.c_str(), &info) == 0 && !S_ISREG(info.st_mode) && !S_ISDIR(info.st_mode);
 }
 
-/// A short name in the same directory.
+/// A short name in the same directory, which is cleared of what killed runs left.
 std::string path_aside(const std::string& path) {
   std::random_device random;
   const std::size_t slash = path.find_last_of('/');
   const std::string directory = slash == std::string::npos ? "" : path.substr(0, slash + 1);
-  return directory + ".plumb-" + std::to_string(random()) + std::to_string(random());
+  remove_leftovers(directory.empty() ? "." : directory);
+  return directory + "." + temporary_name() + std::to_string(random()) + std::to_string(random());
 }
 
 }  // namespace
@@ -52,6 +55,7 @@ OutputFile::OutputFile(const std::string& path) : path_(path == "-" ? "standard 
   constexpr mode_t readable_by_all = 0666;
   file_.emplace(::open(is_aside() ? aside_.c_str() : path.c_str(), flags, readable_by_all));
   if (file_->number() < 0) fail(path_, errno);
+  if (is_aside()) claim_temporary(file_->number());
 }
 
 OutputFile::~OutputFile() {
