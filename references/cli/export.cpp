@@ -1,8 +1,12 @@
+#include <algorithm>
+#include <filesystem>
 #include <memory>
 
 #include "exporters/povray.hpp"
+#include "references/approve.hpp"
 #include "references/cli/commands.hpp"
 #include "references/cli/options.hpp"
+#include "references/povray.hpp"
 #include "tracer/image/files.hpp"
 #include "tracer/scene/reader.hpp"
 
@@ -16,6 +20,29 @@ struct Options {
   SceneOptions common;
 };
 
+/// A name for the command line; a control character would end the comment.
+std::string word_for(const std::string& file) {
+  const bool is_plain = std::none_of(file.begin(), file.end(), [](unsigned char c) { return c < ' '; });
+  return references::shell_word(is_plain ? file : "scene.pov");
+}
+
+/// How POV-Ray is run on the file, as verify runs it. The text that references are kept for begins behind it.
+std::string head(const Options& options, const references::PovrayJob& job) {
+  namespace fs = std::filesystem;
+  const bool is_named = options.file != "-";
+  const fs::path file = is_named ? fs::path(options.file) : fs::path(options.scene).stem() += ".pov";
+  std::string line = "// povray";
+  for (const std::string& argument : references::povray_arguments(job)) {
+    if (argument == "+Iin.pov")
+      line += " " + word_for("+I" + file.filename().string());
+    else if (argument == "+Oout.png")
+      line += " " + word_for("+O" + fs::path(file).replace_extension(".png").filename().string());
+    else
+      line += " " + argument;
+  }
+  return line + "\n";
+}
+
 int run_export(const Options& options) {
   const Scene scene = load_scene(options.scene, dialect_of(options.common), warn);
   const View view = view_of(scene, options.common);
@@ -23,7 +50,9 @@ int run_export(const Options& options) {
                                                  render_options_of(options.common));
   if (exported.needs_flat_objects)
     warn("the eye is inside glass, or surfaces coincide: run POV-Ray with -MB");
-  write_file(options.file, exported.text);
+  const references::PovrayJob job{exported.text, view.size.width, view.size.height,
+                                  exported.needs_flat_objects};
+  write_file(options.file, head(options, job) + exported.text);
   return exit_agrees;
 }
 
@@ -40,7 +69,11 @@ Command add_export(CLI::App& plumb) {
       ->type_name("FILE")
       ->capture_default_str();
   add_scene_options(*app, options->common);
-  app->footer("Example: plumb export tests/scenes/phong.sdf -o phong.pov");
+  app->footer(
+      "Example: plumb export tests/scenes/phong.sdf -o phong.pov\n"
+      "The first line is a comment with the command that renders the file; the SHA-256 of the stored "
+      "reference\n"
+      "images is that of all lines behind it: plumb export SCENE | tail -n +2 | sha256sum");
   return {app, [options] { return run_export(*options); }};
 }
 

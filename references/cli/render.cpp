@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "references/cli/commands.hpp"
 #include "references/cli/options.hpp"
@@ -9,6 +10,7 @@
 #include "references/cli/render_statistics.hpp"
 #include "references/faults/fault.hpp"
 #include "references/render_to_file.hpp"
+#include "references/unasked_file.hpp"
 #include "tracer/image/files.hpp"
 #include "tracer/image/format.hpp"
 #include "tracer/image/io.hpp"
@@ -112,17 +114,27 @@ references::RenderedFile render_within_error(Options& options, const Scene& scen
   return {is_of_one_colour(choice.image), writing.elapsed()};
 }
 
+/// Says what was written under a name that the scene chose.
+void put_in_place(const std::optional<references::UnaskedFile>& file, const std::string& name) {
+  if (!file) return;
+  file->put_in_place();
+  std::printf("%s\n", name.c_str());
+}
+
 int render(Options options) {
   RenderStatistics statistics;
   const engine::Stopwatch reading;
   const Scene scene = load_scene(options.scene, dialect_of(options.common), warn);
   statistics.read = reading.elapsed();
   const View view = view_of(scene, options.common);
-  const std::string path = options.image.empty() ? name_from(scene) : options.image;
-  const Encoding encoding = encoding_of(options, path);
-  if (const auto complaint = complaint_about(path, encoding)) {
-    throw std::invalid_argument(in_quotes(path) + ": " + *complaint);
+  const std::string asked = options.image.empty() ? name_from(scene) : options.image;
+  const Encoding encoding = encoding_of(options, asked);
+  if (const auto complaint = complaint_about(asked, encoding)) {
+    throw std::invalid_argument(in_quotes(asked) + ": " + *complaint);
   }
+  std::optional<references::UnaskedFile> unasked;
+  if (options.image.empty()) unasked.emplace(asked);
+  const std::string path = unasked ? unasked->aside() : asked;
   if (path == "-" && options.statistics_json == "-")
     throw std::invalid_argument(
         "found the picture and the statistics on standard output, expected one of them; name a file");
@@ -140,7 +152,7 @@ int render(Options options) {
     write_image(path, references::render_with(scene, view.camera, job, faults_named(options.faults)),
                 encoding);
     progress.clear();
-    if (options.image.empty()) std::printf("%s\n", path.c_str());
+    put_in_place(unasked, asked);
     return exit_agrees;
   }
   const references::RenderedFile file =
@@ -148,11 +160,11 @@ int render(Options options) {
                         : references::render_to_file(renderer_of(options.common), scene, view.camera, job,
                                                      path, encoding, &statistics.counts);
   progress.clear();
+  put_in_place(unasked, asked);
   statistics.write = file.write;
   if (file.is_of_one_colour)
     warn(options.scene + ": warning: nothing is seen: every pixel has the same colour");
   report(options, job, statistics);
-  if (options.image.empty()) std::printf("%s\n", path.c_str());
   return exit_agrees;
 }
 
@@ -165,7 +177,7 @@ Command add_render(CLI::App& plumb) {
   app->add_option(
          "-o,--output", options->image,
          "image: .exr and .pfm (linear floats), .png, .ppm; - is standard output. Default: the file named by "
-         "the scene's render line, in the current directory")
+         "the scene's render line, in the current directory, unless one is there that plumb didn't write")
       ->type_name("IMAGE");
   app->add_option(
          "--encode", options->encode,

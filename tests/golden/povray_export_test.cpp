@@ -40,8 +40,8 @@ std::size_t count(const std::string& text, const std::string& part) {
   return n;
 }
 
-/// What is to be expected is renewed by `plumb export SCENE --size 64x48`, and by looking hard at what
-/// changed: then the stored reference images have to be rendered again, too.
+/// What is to be expected is renewed by `plumb export SCENE --size 64x48 | tail -n +2`, and by looking hard
+/// at what changed: then the stored reference images have to be rendered again, too.
 void expect_export(const std::string& scene_text, const std::string& expected, bool needs_flat_objects) {
   const Scene scene = scene_of(scene_text);
   const auto result = exporters::export_povray(scene, scene.cameras.front(), 64, 48, {});
