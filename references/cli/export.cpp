@@ -20,10 +20,14 @@ struct Options {
   SceneOptions common;
 };
 
-/// A name for the command line; a control character would end the comment.
-std::string word_for(const std::string& file) {
-  const bool is_plain = std::none_of(file.begin(), file.end(), [](unsigned char c) { return c < ' '; });
-  return references::shell_word(is_plain ? file : "scene.pov");
+/// A file for POV-Ray's command line, which wants a name with blanks in quotes of its own. A control
+/// character would end the comment.
+std::string word_for(const std::string& option, const std::string& file) {
+  const bool is_plain =
+      std::none_of(file.begin(), file.end(), [](unsigned char c) { return c < ' ' || c == '"'; });
+  const std::string name = is_plain ? file : option == "+I" ? "scene.pov" : "scene.png";
+  const bool has_blank = name.find(' ') != std::string::npos;
+  return " " + references::shell_word(has_blank ? option + '"' + name + '"' : option + name);
 }
 
 /// How POV-Ray is run on the file, as verify runs it. The text that references are kept for begins behind it.
@@ -34,9 +38,9 @@ std::string head(const Options& options, const references::PovrayJob& job) {
   std::string line = "// povray";
   for (const std::string& argument : references::povray_arguments(job)) {
     if (argument == "+Iin.pov")
-      line += " " + word_for("+I" + file.filename().string());
+      line += word_for("+I", file.filename().string());
     else if (argument == "+Oout.png")
-      line += " " + word_for("+O" + fs::path(file).replace_extension(".png").filename().string());
+      line += word_for("+O", fs::path(file).replace_extension(".png").filename().string());
     else
       line += " " + argument;
   }

@@ -96,7 +96,7 @@ TEST_F(ExportHead, IsTheCommandThatRendersIt) {
   EXPECT_EQ(first_line({"ball.sdf"}),
             "// povray +Iball.pov +Oball.png +W32 +H24 +FN16 -D -A File_Gamma=1.0 +WT2 -GD -GR");
   const std::string line = first_line({"ball.sdf", "-o", "x y.pov", "--size", "8x6"});
-  EXPECT_TRUE(line.starts_with("// povray '+Ix y.pov' '+Ox y.png' +W8 +H6 ")) << line;
+  EXPECT_TRUE(line.starts_with("// povray '+I\"x y.pov\"' '+O\"x y.png\"' +W8 +H6 ")) << line;
   const auto result = run_shell(line.substr(3), workplace_.directory());
   EXPECT_EQ(result.exit_code, 0) << result.output;
   EXPECT_TRUE(fs::exists(workplace_.path("x y.png"))) << result.output;
