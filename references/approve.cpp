@@ -1,15 +1,13 @@
 #include "references/approve.hpp"
 
-#include <pwd.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cstdlib>
 #include <ctime>
 #include <filesystem>
+#include <iterator>
 #include <stdexcept>
 #include <string_view>
 
+#include "references/approved_images.hpp"
 #include "references/digest.hpp"
 #include "tracer/scene/lexer.hpp"
 #include "tracer/scene/reader.hpp"
@@ -23,12 +21,6 @@ bool is_among(const std::vector<std::string>& sorted, const std::string& name) {
   return std::binary_search(sorted.begin(), sorted.end(), name);
 }
 
-std::string who_asks() {
-  if (const char* name = std::getenv("GIT_AUTHOR_NAME"); name != nullptr && *name != '\0') return name;
-  const passwd* const user = getpwuid(getuid());
-  return user != nullptr ? user->pw_name : "user " + std::to_string(getuid());
-}
-
 std::string now() {
   const std::time_t time = std::time(nullptr);
   std::tm utc{};
@@ -37,12 +29,15 @@ std::string now() {
   return text;
 }
 
-/// The last part of a path into the directory; other text as it stands.
+/// What of a path that leads into the directory comes after it; other text as it stands.
 std::string part_within(const std::string& text, const std::string& directory) {
   const fs::path path(text);
-  const bool is_within =
-      path.has_parent_path() && fs::weakly_canonical(path.parent_path()) == fs::canonical(directory);
-  return is_within ? path.filename().string() : text;
+  const fs::path lexical = path.lexically_normal().lexically_relative(fs::path(directory).lexically_normal());
+  if (!lexical.empty() && *lexical.begin() != ".." && lexical != ".") return lexical.string();
+  if (!path.has_parent_path()) return text;
+  const fs::path real = fs::weakly_canonical(path.parent_path()).lexically_relative(fs::canonical(directory));
+  if (real.empty() || *real.begin() == "..") return text;
+  return (real / path.filename()).lexically_normal().string();
 }
 
 /// The scene, or the baseline without one, that the text names.
@@ -59,18 +54,48 @@ std::string name_meant(const std::string& text, const std::string& directory,
                               (nearest ? "; did you mean '" + *nearest + "'?" : ""));
 }
 
-Baseline record_of(const std::string& path, const std::string& name, const ApprovalRequest& request) {
+/// What renders the image, in the directory of the scenes.
+std::string command_of(const std::string& name, const RegressOptions& options,
+                       const ApprovalRequest& request) {
+  if (options.other) return options.other->command;
+  const std::string file = (name.front() == '-' ? "./" : "") + name + ".sdf";  // not to be an option
+  const fs::path image = fs::path("baselines") / options.variant / (name + ".exr");
+  return "plumb render " + shell_word(file) + " -o " + shell_word(image.string()) + request.arguments;
+}
+
+Baseline record_of(const std::string& path, const std::string& name, const RegressOptions& options,
+                   const ApprovalRequest& request) {
   Baseline record;
   record.name = name;
-  record.who = who_asks();
+  record.who = request.who;
   record.when = now();
   record.why = request.why;
   record.version = PLUMB_VERSION;
   record.scene_sha256 = sha256(read_text_file(path));
-  const std::string file = (name.front() == '-' ? "./" : "") + name + ".sdf";  // not to be an option
-  record.command = "plumb render " + shell_word(file) + " -o " + shell_word("baselines/" + name + ".exr") +
-                   request.arguments;
+  record.command = command_of(name, options, request);
+  if (options.other) record.renderer = options.other->command;
   return record;
+}
+
+/// A damaged image is approved anew.
+bool holds(const Baselines& baselines, const Baseline& record, const Image& image) {
+  try {
+    const Image approved = baselines.load(record);
+    return approved.width == image.width && approved.height == image.height && approved.rgb == image.rgb;
+  } catch (const std::runtime_error&) {
+    return false;
+  }
+}
+
+/// Who approved this very image of this very scene before; empty when nobody did.
+std::string approved_before(const ApprovedImages& approved, const Baseline& record, const Image& image) {
+  const auto found = approved.find(record.name);
+  if (!found) return {};
+  const Baseline& before = *found->record;
+  const bool is_same = before.scene_sha256 == record.scene_sha256 && before.renderer == record.renderer &&
+                       (before.command == record.command || !approved.has_own(record.name)) &&
+                       holds(*found->baselines, before, image);
+  return is_same ? "as " + before.who + " approved it, " + before.when + ": " + before.why : "";
 }
 
 void refuse_non_finite(const Image& image, const std::string& path) {
@@ -89,26 +114,60 @@ std::vector<std::string> sorted_union(std::vector<std::string> a, const std::vec
 
 }  // namespace
 
+namespace {
+
+std::vector<std::string> meant(const std::string& directory, const std::vector<std::string>& scenes,
+                               const ApprovedImages& approved, const ApprovalRequest& request) {
+  const std::vector<std::string> known = sorted_union(scenes, approved.names());
+  std::vector<std::string> names;
+  for (const std::string& text : request.scenes) names.push_back(name_meant(text, directory, known));
+  if (request.all_new)
+    std::copy_if(scenes.begin(), scenes.end(), std::back_inserter(names),
+                 [&](const std::string& name) { return !approved.find(name); });
+  return sorted_union(names, {});
+}
+
+/// An update of a variant leaves the plain baselines alone.
+void expect_own(const std::string& name, const ApprovedImages& approved, const RegressOptions& options) {
+  if (options.variant.empty() || approved.has_own(name) || !approved.find(name)) return;
+  throw std::invalid_argument("--update: the scene " + in_quotes(name) +
+                              " is gone, and its baseline is a plain one, not of the variant " +
+                              in_quotes(options.variant) + "; forget it without --variant");
+}
+
+Approved approve_one(const std::string& path, const std::string& name, const ApprovedImages& approved,
+                     const RegressOptions& options, const ApprovalRequest& request, BaselineUpdate& update) {
+  const Baseline record = record_of(path, name, options, request);
+  const OtherRenderer::Picture picture = rendered(path, options, request.warn);
+  refuse_non_finite(picture.image, path);
+  const std::string before = approved_before(approved, record, picture.image);
+  if (before.empty()) update.add(record, picture.image);
+  return {name,
+          false,
+          is_of_one_colour(picture.image),
+          picture.image.width,
+          picture.image.height,
+          before,
+          picture.not_stored};
+}
+
+}  // namespace
+
 std::vector<Approved> approve(const std::string& directory, const RegressOptions& options,
                               const ApprovalRequest& request) {
   const std::vector<std::string> scenes = scene_names(directory);
-  const std::vector<std::string> known = sorted_union(scenes, Baselines(baselines_of(directory)).names());
-  std::vector<std::string> meant;
-  for (const std::string& text : request.scenes) meant.push_back(name_meant(text, directory, known));
-  BaselineUpdate update(baselines_of(directory), directory);
+  expect_clear_variant(directory, options.variant, scenes);
+  const ApprovedImages approved(directory, options.variant);
+  BaselineUpdate update(baselines_of(directory, options.variant), directory);
   std::vector<Approved> result;
-  for (const std::string& name : sorted_union(meant, {})) {
-    if (!is_among(scenes, name)) {
+  for (const std::string& name : meant(directory, scenes, approved, request)) {
+    if (is_among(scenes, name)) {
+      result.push_back(approve_one(scene_path(directory, name), name, approved, options, request, update));
+    } else {
+      expect_own(name, approved, options);
       update.forget(name);
       result.push_back({name, true});
-      continue;
     }
-    const std::string path = scene_path(directory, name);
-    const Baseline record = record_of(path, name, request);
-    const Image image = rendered(load_scene(path, options.dialect, request.warn), options);
-    refuse_non_finite(image, path);
-    update.add(record, image);
-    result.push_back({name, false, is_of_one_colour(image), image.width, image.height});
   }
   update.commit();
   return result;

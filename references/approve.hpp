@@ -11,7 +11,9 @@ namespace plumb::references {
 
 struct ApprovalRequest {
   std::vector<std::string> scenes;  ///< each NAME, NAME.sdf or a path
+  bool all_new = false;             ///< those that have no baseline, too
   std::string why;
+  std::string who;
   std::function<void(const std::string&)> warn;  ///< gets the warnings about the scene files
   std::string
       arguments;  ///< of `plumb render` for these options, for the record; each with a blank before it
@@ -23,11 +25,14 @@ struct Approved {
   bool is_of_one_colour = false;  ///< nothing is seen in the image
   int width = 0;
   int height = 0;
+  std::string unchanged{};   ///< who approved the very same before, when and why: that stays; else empty
+  std::string not_stored{};  ///< what else somebody else's file holds
 };
 
 /// Renders the scenes and stores their images as baselines, all of them or none; forgets the baseline of a
-/// scene that is gone. Throws std::invalid_argument on a name that is no scene's, std::runtime_error on an
-/// image with pixels that are not finite.
+/// scene that is gone. Where scene file, command and pixels are those of the baseline, nothing is changed.
+/// Throws std::invalid_argument on a name that is no scene's, std::runtime_error on an image with pixels that
+/// are not finite.
 std::vector<Approved> approve(const std::string& directory, const RegressOptions& options,
                               const ApprovalRequest& request);
 

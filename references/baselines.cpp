@@ -21,23 +21,31 @@ constexpr const char* records_name = "/baselines.json";
 constexpr const char* remedy = "; bring both back as they were approved, e.g. git checkout ";
 
 Json to_json(const Baseline& b) {
-  return {{"scene", b.name + ".sdf"},
-          {"image", b.name + ".exr"},
-          {"who", b.who},
-          {"when", b.when},
-          {"why", b.why},
-          {"version", b.version},
-          {"width", b.width},
-          {"height", b.height},
-          {"scene_sha256", b.scene_sha256},
-          {"pixels_sha256", b.pixels_sha256},
-          {"command", b.command}};
+  Json json{{"scene", b.name + ".sdf"},
+            {"image", b.name + ".exr"},
+            {"who", b.who},
+            {"when", b.when},
+            {"why", b.why},
+            {"version", b.version},
+            {"width", b.width},
+            {"height", b.height},
+            {"scene_sha256", b.scene_sha256},
+            {"pixels_sha256", b.pixels_sha256},
+            {"command", b.command}};
+  if (!b.renderer.empty()) json["renderer"] = b.renderer;
+  return json;
+}
+
+/// Relative, and within the directory that it is in.
+bool is_within(const fs::path& name) {
+  return !name.empty() && name.is_relative() && name == name.lexically_normal() && *name.begin() != "..";
 }
 
 /// Throws Json::exception or std::runtime_error.
 Baseline from_json(const Json& json) {
+  constexpr std::string_view extension = ".sdf";
   const std::string scene = json.at("scene");
-  Baseline b{fs::path(scene).stem().string(),
+  Baseline b{scene.substr(0, scene.size() - std::min<std::size_t>(scene.size(), extension.size())),
              json.at("width"),
              json.at("height"),
              json.at("who"),
@@ -46,9 +54,10 @@ Baseline from_json(const Json& json) {
              json.at("version"),
              json.at("scene_sha256"),
              json.at("pixels_sha256"),
-             json.at("command")};
+             json.at("command"),
+             json.value("renderer", "")};
   // No record leads out of the directory.
-  if (b.name.empty() || scene != b.name + ".sdf" || json.at("image") != b.name + ".exr") {
+  if (!is_within(b.name) || scene != b.name + ".sdf" || json.at("image") != b.name + ".exr") {
     throw std::runtime_error("found scene " + json.at("scene").dump() + " and image " +
                              json.at("image").dump() + ", expected NAME.sdf and NAME.exr");
   }
@@ -103,12 +112,18 @@ const Baseline* Baselines::find(const std::string& name) const {
 
 std::string Baselines::image_path(const std::string& name) const { return directory_ + "/" + name + ".exr"; }
 
+bool Baselines::are_in(const std::string& directory) { return fs::exists(directory + records_name); }
+
 std::vector<std::string> Baselines::names() const {
   std::set<std::string> names;
   for (const Baseline& b : entries_) names.insert(b.name);
-  if (fs::exists(directory_)) {
-    for (const auto& entry : fs::directory_iterator(directory_)) {
-      if (entry.path().extension() == ".exr") names.insert(entry.path().stem().string());
+  if (!fs::exists(directory_)) return {names.begin(), names.end()};
+  for (fs::recursive_directory_iterator at(directory_), end; at != end; ++at) {
+    const fs::path& path = at->path();
+    if (at->is_directory()) {
+      if (path.filename().native().front() == '.' || are_in(path.string())) at.disable_recursion_pending();
+    } else if (path.extension() == ".exr") {
+      names.insert(fs::path(path).replace_extension().lexically_relative(directory_).string());
     }
   }
   return {names.begin(), names.end()};
@@ -138,11 +153,22 @@ void BaselineUpdate::add(Baseline record, const Image& image) {
   record.width = image.width;
   record.height = image.height;
   record.pixels_sha256 = sha256(image.rgb);
-  write_image(aside_.path() + "/" + record.name + ".exr", image, Encoding::linear);
+  const fs::path file = fs::path(aside_.path()) / (record.name + ".exr");
+  fs::create_directories(file.parent_path());
+  write_image(file.string(), image, Encoding::linear);
   added_.push_back(std::move(record));
 }
 
+void BaselineUpdate::remove_image(const std::string& name) const {
+  fs::path file = fs::path(directory_) / (name + ".exr");
+  fs::remove(file);
+  std::error_code is_in_use;  // by other images
+  for (file = file.parent_path(); file != fs::path(directory_) && !is_in_use; file = file.parent_path())
+    fs::remove(file, is_in_use);
+}
+
 void BaselineUpdate::commit() {
+  if (added_.empty() && gone_.empty()) return;
   fs::create_directories(directory_);
   const DirectoryLock lock(directory_);
   std::vector<Baseline> entries = Baselines(directory_).all();
@@ -154,10 +180,11 @@ void BaselineUpdate::commit() {
   // All that can fail for want of space has happened; the rest is renames.
   for (const Baseline& record : added_) {
     const std::string file = "/" + record.name + ".exr";
+    fs::create_directories(fs::path(directory_ + file).parent_path());
     fs::rename(aside_.path() + file, directory_ + file);
   }
   fs::rename(aside_.path() + records_name, directory_ + records_name);
-  for (const std::string& name : gone_) fs::remove(directory_ + "/" + name + ".exr");
+  for (const std::string& name : gone_) remove_image(name);
 }
 
 }  // namespace plumb::references

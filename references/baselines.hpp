@@ -10,7 +10,7 @@
 namespace plumb::references {
 
 struct Baseline {
-  std::string name;  ///< of the scene NAME.sdf and the image NAME.exr
+  std::string name;  ///< of the scene NAME.sdf and the image NAME.exr; with its directories, e.g. "a/b"
   int width = 0;
   int height = 0;
   std::string who;
@@ -20,6 +20,7 @@ struct Baseline {
   std::string scene_sha256;   ///< of the scene file, as sha256sum prints it
   std::string pixels_sha256;  ///< of the float32 values
   std::string command;        ///< that renders the image, in the directory of the scenes
+  std::string renderer{};     ///< the command of somebody else's; empty: the image is plumb's own
 };
 
 /// baselines.json and the images of one directory.
@@ -28,10 +29,14 @@ class Baselines {
   /// Reads baselines.json; an absent one is empty. Throws std::runtime_error when it is damaged.
   explicit Baselines(std::string directory);
 
+  /// Whether a directory has records.
+  static bool are_in(const std::string& directory);
+
   const std::vector<Baseline>& all() const { return entries_; }
   const Baseline* find(const std::string& name) const;
   std::string image_path(const std::string& name) const;
-  /// Of the records and of the images, sorted: after a bad merge one may lack the other.
+  /// Of the records and of the images, sorted: after a bad merge one may lack the other. Images of variants,
+  /// which have records of their own, are not among them.
   std::vector<std::string> names() const;
 
   /// The pixels, checked against their hash. Throws std::runtime_error.
@@ -57,6 +62,9 @@ class BaselineUpdate {
   void commit();
 
  private:
+  /// With the directories that are empty then.
+  void remove_image(const std::string& name) const;
+
   std::string directory_;
   TemporaryDirectory aside_;
   std::vector<Baseline> added_;

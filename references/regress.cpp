@@ -7,7 +7,10 @@
 #include <ctime>
 #include <filesystem>
 #include <stdexcept>
+#include <utility>
 
+#include "references/against_baseline.hpp"
+#include "references/approved_images.hpp"
 #include "references/digest.hpp"
 #include "tracer/scene/reader.hpp"
 
@@ -44,6 +47,18 @@ const Camera& camera_of(const Scene& scene, const RegressOptions& options) {
   return scene.camera(options.camera.empty() ? scene.renders.front().camera : options.camera);
 }
 
+Image rendered_by_plumb(const Scene& scene, const RegressOptions& options) {
+  const RenderRequest& request = scene.renders.front();
+  RenderJob job;
+  job.width = options.size ? options.size->width : request.width;
+  job.height = options.size ? options.size->height : request.height;
+  job.options = options.render;
+  job.real = options.real;
+  job.threads = options.threads;
+  job.progress = options.progress;
+  return render(options.renderer, scene, camera_of(scene, options), job);
+}
+
 /// The figures of a difference, and who to ask about the baseline.
 std::string difference(const Comparison& c) {
   std::string text = std::to_string(c.pixels_over) + " of " + std::to_string(c.pixels) + " pixels are over";
@@ -65,9 +80,10 @@ std::string history(const Baseline& baseline, const std::string& scene_sha256) {
 }
 
 /// A scene without a baseline differs from what was approved: nothing.
-void judge_new(const Baselines& baselines, RegressedScene& scene) {
-  if (fs::exists(baselines.image_path(scene.name))) {
-    throw std::runtime_error(baselines.image_path(scene.name) +
+void judge_new(const ApprovedImages& approved, RegressedScene& scene) {
+  const std::string image = approved.image_path(scene.name);
+  if (fs::exists(image)) {
+    throw std::runtime_error(image +
                              ": has no record in baselines.json; bring it back, or approve the scene anew");
   }
   scene.result.status = Status::differ;
@@ -76,55 +92,85 @@ void judge_new(const Baselines& baselines, RegressedScene& scene) {
   scene.result.comparison.pixels = scene.image->rgb.size() / 3;
 }
 
-void judge_image(const Baselines& baselines, const RegressOptions& options, const Scene& read,
-                 RegressedScene& scene) {
-  const Baseline* const baseline = baselines.find(scene.name);
+/// What two renderers make of a scene says nothing about either.
+void expect_same_renderer(const Baseline& baseline, const RegressOptions& options) {
+  if (baseline.renderer.empty() == !options.other) return;
+  throw std::runtime_error(baseline.renderer.empty()
+                               ? "the baseline is plumb's own picture, not the renderer's: compare without "
+                                 "--renderer, or approve the renderer's pictures as a --variant"
+                               : "the baseline is a picture by `" + baseline.renderer +
+                                     "`, not plumb's own: compare with --renderer");
+}
+
+void judge_size(const Baseline& baseline, const std::string& asked, RegressedScene& scene) {
   SceneResult& result = scene.result;
-  if (baseline == nullptr) return judge_new(baselines, scene);
-  scene.baseline = baselines.load(*baseline);
-  const std::string asked = history(*baseline, sha256(read_text_file(result.scene)));
-  if (baseline->width != result.width || baseline->height != result.height) {
-    result.status = Status::differ;
-    result.comparison.pixels = result.comparison.pixels_over = scene.image->rgb.size() / 3;
-    result.message = "the size is " + size_text(result.width, result.height) + ", of the baseline " +
-                     size_text(baseline->width, baseline->height) + asked;
-    result.not_compared = "images of two sizes are not compared";
-    return;
-  }
-  const AttributionJob job{read,         camera_of(read, options), options.render,     *scene.baseline,
-                           *scene.image, options.tolerance,        Precision::float32, Judge::baseline};
-  judge(job, result);
-  if (options.keeps_pictures) result.pictures = pictures_of(job, result.comparison, result.budget);
+  result.status = Status::differ;
+  result.comparison.pixels = result.comparison.pixels_over = scene.image->rgb.size() / 3;
+  result.message = "the size is " + size_text(result.width, result.height) + ", of the baseline " +
+                   size_text(baseline.width, baseline.height) + asked;
+  result.not_compared = "images of two sizes are not compared";
+}
+
+/// Several lines; an empty one adds nothing.
+void add_line(std::string& text, const std::string& line) {
+  if (!line.empty()) text += (text.empty() ? "" : "\n") + line;
+}
+
+BoundedComparison compared(const RegressOptions& options, const Bounds& bounds, const Scene* read,
+                           RegressedScene& scene) {
+  const BaselineJob job{*scene.baseline, *scene.image, bounds, options.keeps_pictures};
+  if (read == nullptr) return judge_others(job, scene.result);
+  return judge_own(*read, camera_of(*read, options), options.render, job, scene.result);
+}
+
+/// `read` is null when somebody else's renderer made the image.
+void judge_image(const ApprovedImages& approved, const RegressOptions& options, const Scene* read,
+                 RegressedScene& scene) {
+  const auto found = approved.find(scene.name);
+  SceneResult& result = scene.result;
+  if (!found) return judge_new(approved, scene);
+  expect_same_renderer(*found->record, options);
+  scene.baseline = found->baselines->load(*found->record);
+  const std::string asked = history(*found->record, sha256(read_text_file(result.scene)));
+  if (found->record->width != result.width || found->record->height != result.height)
+    return judge_size(*found->record, asked, scene);
+  const Bounds bounds = approved.bounds_of(scene.name, options.bounds);
+  const BoundedComparison bounded = compared(options, bounds, read, scene);
+  if (!bounds.are_plain()) scene.bounds = {bounds, bounded};
   if (result.status == Status::differ) {
-    const std::string explained = result.message.empty() ? "" : "\n" + result.message;
-    result.message = difference(result.comparison) + asked + explained;
+    const std::string explained = std::exchange(result.message, difference(result.comparison) + asked);
+    add_line(result.message, explained);
   }
 }
 
-void judge_scene(const Baselines& baselines, const RegressOptions& options, RegressedScene& scene) {
+void judge_scene(const ApprovedImages& approved, const RegressOptions& options, RegressedScene& scene) {
   SceneResult& result = scene.result;
-  const Scene read = load_scene(result.scene, options.dialect);
+  std::optional<Scene> read;
+  if (!options.other) read = load_scene(result.scene, options.dialect);
   const std::clock_t before = std::clock();
-  scene.image = rendered(read, options);
+  OtherRenderer::Picture picture = read ? OtherRenderer::Picture{rendered_by_plumb(*read, options), ""}
+                                        : options.other->picture_of(result.scene);
   result.seconds_ours = static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC;
+  scene.image = std::move(picture.image);
   result.width = scene.image->width;
   result.height = scene.image->height;
-  judge_image(baselines, options, read, scene);
+  judge_image(approved, options, read ? &*read : nullptr, scene);
+  add_line(result.message, picture.not_stored);
   if (result.status != Status::differ) return;
   const std::string complaint = non_finite_pixels(*scene.image);
   scene.can_be_approved = complaint.empty();
   if (!complaint.empty()) result.message += "\ncannot be approved: " + complaint;
 }
 
-RegressedScene judged(const Baselines& baselines, const RegressOptions& options, const std::string& directory,
-                      const std::string& name) {
+RegressedScene judged(const ApprovedImages& approved, const RegressOptions& options,
+                      const std::string& directory, const std::string& name) {
   using Clock = std::chrono::steady_clock;
   RegressedScene scene;
   scene.name = name;
   scene.result.scene = scene_path(directory, name);
   const auto begin = Clock::now();
   try {
-    judge_scene(baselines, options, scene);
+    judge_scene(approved, options, scene);
   } catch (const std::exception& error) {
     scene.result.status = Status::error;
     scene.result.message = error.what();
@@ -134,47 +180,20 @@ RegressedScene judged(const Baselines& baselines, const RegressOptions& options,
 }
 
 /// A gate that checks less than was approved is trouble: nobody would notice.
-RegressedScene orphan(const Baselines& baselines, const std::string& directory, const std::string& name) {
-  RegressedScene scene{name, {}, 0, true, {}, {}};
+RegressedScene orphan(const ApprovedImages& approved, const std::string& directory, const std::string& name) {
+  RegressedScene scene{name, {}, 0, true, {}, {}, {}};
   scene.result.scene = scene_path(directory, name);
-  scene.result.message = "THE SCENE IS GONE, its baseline " + baselines.image_path(name) +
+  scene.result.message = "THE SCENE IS GONE, its baseline " + approved.image_path(name) +
                          " is there: bring the scene back, or approve that it is gone";
   return scene;
 }
 
 }  // namespace
 
-std::string baselines_of(const std::string& directory) {
-  return (fs::path(directory) / "baselines").string();
-}
-
-std::string scene_path(const std::string& directory, const std::string& name) {
-  return (fs::path(directory) / (name + ".sdf")).string();
-}
-
-std::vector<std::string> scene_names(const std::string& directory) {
-  if (!fs::is_directory(directory))
-    throw std::runtime_error(directory + ": found no such directory, expected one with scenes, *.sdf");
-  std::vector<std::string> names;
-  for (const auto& entry : fs::directory_iterator(directory)) {
-    const fs::path file = entry.path().filename();
-    if (file.extension() == ".sdf" && file.native().front() != '.' && !entry.is_directory())
-      names.push_back(file.stem().string());
-  }
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
-Image rendered(const Scene& scene, const RegressOptions& options) {
-  const RenderRequest& request = scene.renders.front();
-  RenderJob job;
-  job.width = options.size ? options.size->width : request.width;
-  job.height = options.size ? options.size->height : request.height;
-  job.options = options.render;
-  job.real = options.real;
-  job.threads = options.threads;
-  job.progress = options.progress;
-  return render(options.renderer, scene, camera_of(scene, options), job);
+OtherRenderer::Picture rendered(const std::string& scene_path, const RegressOptions& options,
+                                const std::function<void(const std::string&)>& warn) {
+  if (options.other) return options.other->picture_of(scene_path);
+  return {rendered_by_plumb(load_scene(scene_path, options.dialect, warn), options), ""};
 }
 
 std::string non_finite_pixels(const Image& image) {
@@ -194,7 +213,10 @@ std::vector<RegressedScene> regress(const std::string& directory, const RegressO
                                     const std::function<void(const RegressedScene&)>& done) {
   const std::vector<std::string> names = scene_names(directory);
   if (names.empty()) throw std::runtime_error(directory + ": found no scene, expected *.sdf");
-  const Baselines baselines(baselines_of(directory));
+  expect_clear_variant(directory, options.variant, names);
+  const ApprovedImages approved(directory, options.variant);
+  const std::string complaint = approved.complaint_about_bounds(names);
+  if (!complaint.empty()) throw std::runtime_error(complaint);
   std::vector<RegressedScene> scenes;
   const auto finish = [&](RegressedScene scene) {
     if (done) done(scene);
@@ -203,9 +225,9 @@ std::vector<RegressedScene> regress(const std::string& directory, const RegressO
     scene.result.pictures.reset();
     scenes.push_back(std::move(scene));
   };
-  for (const std::string& name : names) finish(judged(baselines, options, directory, name));
-  for (const std::string& name : baselines.names()) {
-    if (!is_among(names, name)) finish(orphan(baselines, directory, name));
+  for (const std::string& name : names) finish(judged(approved, options, directory, name));
+  for (const std::string& name : approved.names()) {
+    if (!is_among(names, name)) finish(orphan(approved, directory, name));
   }
   return scenes;
 }

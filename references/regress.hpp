@@ -7,15 +7,39 @@
 #include <vector>
 
 #include "references/baselines.hpp"
+#include "references/bounds.hpp"
+#include "references/scene_directory.hpp"
 #include "references/verify.hpp"
 
 namespace plumb::references {
 
+/// Somebody else's renderer, which makes the images in place of plumb.
+struct OtherRenderer {
+  std::string command;  ///< as it was asked for
+  struct Picture {
+    Image image;             ///< values as they stand in its file
+    std::string not_stored;  ///< what else the file holds; empty when that is all
+  };
+  /// Throws std::runtime_error, saying what went wrong with this scene.
+  std::function<Picture(const std::string& scene_path)> picture_of;
+};
+
+/// `tolerance` is that of the bounds. With another renderer, the options that say how plumb renders count for
+/// nothing.
 struct RegressOptions : PictureOptions {
   int threads = 0;  ///< 0: as many as the machine runs at once
+  Bounds bounds;    ///< of scenes about which bounds.json says nothing
+  std::string variant;
+  std::optional<OtherRenderer> other;
   /// Called now and then, from one thread at a time, with the fraction of the scene that is done; may be
   /// empty.
   std::function<void(double)> progress;
+};
+
+/// What was allowed besides the tolerance, and what came of it.
+struct UsedBounds {
+  Bounds bounds;
+  BoundedComparison comparison;
 };
 
 /// One scene, or one baseline whose scene is gone. `differ`: the images differ or there is no baseline yet.
@@ -25,27 +49,19 @@ struct RegressedScene {
   SceneResult result;
   double seconds = 0;            ///< on the clock
   bool can_be_approved = false;  ///< an update makes it agree
-  std::optional<Image> image;    ///< both only while `done` runs, where they could be had
+  std::optional<UsedBounds> bounds;
+  std::optional<Image> image;  ///< both only while `done` runs, where they could be had
   std::optional<Image> baseline;
 };
 
-/// Where the baselines of a directory of scenes are.
-std::string baselines_of(const std::string& directory);
-
-/// DIRECTORY/NAME.sdf
-std::string scene_path(const std::string& directory, const std::string& name);
-
-/// NAME of each NAME.sdf in the directory, sorted; hidden files and what lies deeper are not meant. Throws
-/// std::runtime_error when there is no such directory.
-std::vector<std::string> scene_names(const std::string& directory);
-
 /// Each scene, then each baseline whose scene is gone. One bad scene never stops the others; throws
-/// std::runtime_error when there is no scene or when the records of the baselines are damaged.
+/// std::runtime_error when there is no scene or when the records of the baselines or the bounds are damaged.
 std::vector<RegressedScene> regress(const std::string& directory, const RegressOptions& options,
                                     const std::function<void(const RegressedScene&)>& done);
 
 /// The picture that the options ask for. Throws std::runtime_error.
-Image rendered(const Scene& scene, const RegressOptions& options);
+OtherRenderer::Picture rendered(const std::string& scene_path, const RegressOptions& options,
+                                const std::function<void(const std::string&)>& warn = {});
 
 /// How many pixels are not finite, and the first of them; empty when all are.
 std::string non_finite_pixels(const Image& image);

@@ -3,9 +3,14 @@
 #include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <optional>
+#include <sstream>
 
 #include "references/approve.hpp"
+#include "references/author.hpp"
+#include "references/cli/bounds_options.hpp"
 #include "references/cli/commands.hpp"
+#include "references/cli/confined.hpp"
 #include "references/cli/options.hpp"
 #include "references/cli/progress.hpp"
 #include "references/cli/report.hpp"
@@ -24,12 +29,16 @@ struct Options {
   std::string program;  ///< as it was called
   std::string directory;
   std::vector<std::string> update;
+  bool all_new = false;
   std::string because;
+  std::string variant;
   std::string json;
   std::string junit;
   std::string report;
   double tolerance = 1e-6;
   int threads = 0;
+  BoundsOptions bounds;
+  ConfinedOptions confined;
   SceneOptions common;
 };
 
@@ -38,25 +47,64 @@ references::RegressOptions regress_options(const Options& options) {
   static_cast<references::PictureOptions&>(regress) =
       picture_options(options.common, options.tolerance, !options.report.empty());
   regress.threads = options.threads;
+  regress.variant = options.variant;
+  regress.bounds = bounds_of(options.bounds, options.tolerance);
+  if (!options.confined.renderer.empty())
+    regress.other = references::confined_renderer(options.confined.renderer,
+                                                  confined_command(options.confined), regress.dialect);
   return regress;
+}
+
+/// The options that an update has to repeat, each with a blank before it.
+std::string update_arguments(const Options& options) {
+  std::string text = picture_arguments(options.common);
+  const auto add = [&](const char* name, const auto& value, const auto& usual) {
+    std::ostringstream stream;
+    stream << value;
+    if (value != usual) text += std::string(" ") + name + " " + shell_word(stream.str());
+  };
+  const Options usual{};
+  add("--variant", options.variant, usual.variant);
+  add("--renderer", options.confined.renderer, usual.confined.renderer);
+  for (const std::string& path : options.confined.readable) text += " --readable " + shell_word(path);
+  add("--timeout", options.confined.timeout, usual.confined.timeout);
+  add("--cpu", options.confined.cpu, usual.confined.cpu);
+  add("--memory", options.confined.memory_mib, usual.confined.memory_mib);
+  add("--disk", options.confined.disk_mib, usual.confined.disk_mib);
+  add("--processes", options.confined.processes, usual.confined.processes);
+  return text;
+}
+
+/// With the bounds and their reason.
+std::string message_of(const RegressedScene& scene) {
+  const std::string bounds =
+      scene.bounds ? bounds_text(scene.bounds->bounds, scene.bounds->comparison) : std::string();
+  if (bounds.empty()) return scene.result.message;
+  return scene.result.message + (scene.result.message.empty() ? "" : "\n") + "bounds: " + bounds;
+}
+
+references::SceneResult shown(const RegressedScene& scene) {
+  references::SceneResult result = scene.result;
+  result.message = message_of(scene);
+  return result;
 }
 
 /// The command that approves the scene as it looks now; empty when there is nothing to approve.
 std::string approve_command(const Options& options, const RegressedScene& scene) {
   if (!scene.can_be_approved) return {};
   return shell_word(options.program) + " regress " + shell_word(options.directory) +
-         picture_arguments(options.common) + " --update " + shell_word(scene.result.scene) +
+         update_arguments(options) + " --update " + shell_word(scene.result.scene) +
          (scene.result.status == Status::error ? " --because 'the scene is gone'"
                                                : " --because 'the new image is right'");
 }
 
 std::string with_command(const Options& options, const RegressedScene& scene) {
   const std::string command = approve_command(options, scene);
-  return scene.result.message + (command.empty() ? "" : "\napprove with: " + command);
+  return message_of(scene) + (command.empty() ? "" : "\napprove with: " + command);
 }
 
 void print_row(const Options& options, const RegressedScene& scene, std::size_t width) {
-  std::printf("%s\n", table_row(scene.result, width).c_str());
+  std::printf("%s\n", table_row(shown(scene), width).c_str());
   // Not indented: a name may have a line feed, and the command is to be copied as it is.
   const std::string command = approve_command(options, scene);
   if (!command.empty()) std::printf("      approve with: %s\n", command.c_str());
@@ -71,12 +119,14 @@ std::ptrdiff_t count(const std::vector<RegressedScene>& scenes, Status status) {
 Json to_json(const Options& options, const std::vector<RegressedScene>& scenes) {
   Json list = Json::array();
   for (const RegressedScene& scene : scenes) {
-    list.push_back(scene_json(scene.result));
+    list.push_back(scene_json(shown(scene)));
+    if (scene.bounds)
+      list.back()["bounds"] = plumb::cli::to_json(scene.bounds->bounds, scene.bounds->comparison);
     list.back()["approve"] = approve_command(options, scene);
   }
   return {{"tool", "plumb"},
           {"version", PLUMB_VERSION},
-          {"baselines", references::baselines_of(options.directory)},
+          {"baselines", references::baselines_of(options.directory, options.variant)},
           {"tolerance", options.tolerance},
           {"scenes", list}};
 }
@@ -106,6 +156,13 @@ void write_trouble(const Options& options, const std::string& message) {
                                                     message.substr(0, message.find('\n')), message, 0}}));
 }
 
+/// What asks plumb to render otherwise means nothing to another renderer.
+void refuse_options_of_plumb(CLI::App& app, CLI::Option* renderer) {
+  for (const char* const name :
+       {"--threads", "--real", "--engine", "--size", "--camera", "--depth", "--glass-shadow"})
+    app.get_option(name)->excludes(renderer);
+}
+
 /// Renders and compares all; prints a row of the table for each scene when it is done.
 std::vector<RegressedScene> run(const Options& options, bool table) {
   const auto names = references::scene_names(options.directory);
@@ -123,11 +180,13 @@ std::vector<RegressedScene> run(const Options& options, bool table) {
   SceneOptions explained = options.common;  // explain has no --real: it always traces in double
   explained.real = SceneOptions{}.real;
   explained.engine = SceneOptions{}.engine;
+  std::optional<std::string> explain;
+  if (options.confined.renderer.empty()) explain = picture_arguments(explained);
   const auto scenes = references::regress(options.directory, regress, [&](const RegressedScene& scene) {
     ++done;
     progress.clear();
     if (table) print_row(options, scene, width);
-    report.add(scene.result, picture_arguments(explained), approve_command(options, scene));
+    report.add(shown(scene), explain, approve_command(options, scene));
   });
   report.finish();
   return scenes;
@@ -150,7 +209,8 @@ int check(const Options& options) {
   const auto trouble = count(scenes, Status::error);
   if (table) {
     std::printf("%zu scene%s against %s: %td agree, %td differ, %td in trouble\n", scenes.size(),
-                scenes.size() == 1 ? "" : "s", references::baselines_of(options.directory).c_str(),
+                scenes.size() == 1 ? "" : "s",
+                references::baselines_of(options.directory, options.variant).c_str(),
                 count(scenes, Status::agree), differ, trouble);
     say_report(options.report);
   }
@@ -158,11 +218,26 @@ int check(const Options& options) {
   return differ > 0 ? exit_differs : exit_agrees;
 }
 
+void print_approved(const references::Approved& scene) {
+  if (scene.is_gone) {
+    std::printf("forgotten %s\n", scene.name.c_str());
+    return;
+  }
+  const std::string size = std::to_string(scene.width) + "x" + std::to_string(scene.height);
+  if (scene.unchanged.empty())
+    std::printf("approved %s %s\n", scene.name.c_str(), size.c_str());
+  else
+    std::printf("unchanged %s %s, %s\n", scene.name.c_str(), size.c_str(), scene.unchanged.c_str());
+  if (!scene.not_stored.empty()) warn(scene.name + ": warning: " + scene.not_stored);
+  if (scene.is_of_one_colour)
+    warn(scene.name + ": warning: nothing is seen: every pixel has the same colour");
+}
+
 int update(const Options& options) {
-  if (options.update.empty()) {
+  if (options.update.empty() && !options.all_new) {
     throw std::invalid_argument(
         "--update: name the scenes whose images you approve; for all of them: --update " +
-        shell_word(options.directory) + "/*.sdf");
+        shell_word(options.directory) + "/*.sdf; for those that have no baseline yet: --all-new");
   }
   if (options.because.find_first_not_of(" \t\r\n") == std::string::npos) {
     throw std::invalid_argument(
@@ -172,17 +247,12 @@ int update(const Options& options) {
   auto regress = regress_options(options);
   regress.progress = [&](double fraction) { progress.show(fraction); };
   const auto approved = references::approve(
-      options.directory, regress, {options.update, options.because, warn, picture_arguments(options.common)});
+      options.directory, regress,
+      {options.update, options.all_new, options.because, references::author_in(options.directory), warn,
+       picture_arguments(options.common)});
   progress.clear();
-  for (const references::Approved& scene : approved) {
-    if (scene.is_gone) {
-      std::printf("forgotten %s\n", scene.name.c_str());
-      continue;
-    }
-    std::printf("approved %s %dx%d\n", scene.name.c_str(), scene.width, scene.height);
-    if (scene.is_of_one_colour)
-      warn(scene.name + ": warning: nothing is seen: every pixel has the same colour");
-  }
+  for (const references::Approved& scene : approved) print_approved(scene);
+  if (approved.empty()) std::printf("nothing is new: every scene has a baseline\n");
   return exit_agrees;
 }
 
@@ -193,6 +263,8 @@ CLI::Option* add_update(CLI::App& app, Options& options) {
                      "baseline whose scene is gone is forgotten")
           ->type_name("SCENE")
           ->expected(0, CLI::detail::expected_max_vector_size);
+  app.add_flag("--all-new", options.all_new, "with --update: approve all scenes that have no baseline yet")
+      ->needs(option);
   app.add_option("--because", options.because, "why the new images are right; kept with who and when")
       ->type_name("TEXT")
       ->needs(option);
@@ -206,7 +278,7 @@ Command add_regress(CLI::App& plumb) {
       "regress", "Render the scenes of a directory and compare them with the images approved for them.");
   auto options = std::make_shared<Options>();
   app->add_option("DIR", options->directory,
-                  "directory with the scenes, *.sdf; the images are in DIR/baselines")
+                  "directory with the scenes, *.sdf, and those below it; the images are in DIR/baselines")
       ->required();
   CLI::Option* const update_option = add_update(*app, *options);
   app->add_option("--junit", options->junit, "write the results as JUnit XML; - is standard output")
@@ -217,13 +289,25 @@ Command add_regress(CLI::App& plumb) {
       ->excludes(update_option);
   add_report(*app, options->report)->excludes(update_option);
   app->add_option("--threads", options->threads, "threads; default: all")->check(CLI::Range(1, 1024));
+  app->add_option(
+         "--variant", options->variant,
+         "a baseline per platform: those in DIR/baselines/NAME, the plain one where it has none; with "
+         "--update: approve for this variant alone")
+      ->type_name("NAME");
   add_tolerance(*app, options->tolerance);
+  add_bounds(*app, options->bounds);
   add_real(*app, options->common);
   add_scene_options(*app, options->common);
+  refuse_options_of_plumb(*app, add_confined(*app, options->confined));
   app->footer(
       "Example: plumb regress tests/scenes --junit results.xml\n"
       "         plumb regress tests/scenes --update phong shadow --because 'the light was moved'\n"
+      "         plumb regress tests/scenes --update --all-new --because 'looked at'\n"
+      "         plumb regress scenes --renderer 'my-tracer {scene} {image}' --tolerance 0.004\n"
       "No POV-Ray is run. A scene without a baseline differs; a baseline without its scene is trouble.\n"
+      "DIR/baselines/bounds.json allows more for single scenes, each with its reason, e.g.\n"
+      "{\"glass\": {\"allow_over\": \"0.1%\", \"ignore\": [\"0,0,64,16\"], \"because\": \"the clock is "
+      "there\"}}\n"
       "Exit codes: 0 all agree, 1 some differ, 2 trouble.");
   return {app, [options, &plumb, update_option] {
             options->program = plumb.get_name();

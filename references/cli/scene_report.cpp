@@ -59,7 +59,7 @@ SceneReport::SceneReport(const std::string& directory, const std::string& title,
   writer_ = std::make_unique<references::ReportWriter>(directory, title, "plumb " PLUMB_VERSION);
 }
 
-void SceneReport::add(const SceneResult& result, const std::string& options,
+void SceneReport::add(const SceneResult& result, const std::optional<std::string>& options,
                       const std::string& approve_command) {
   if (!writer_) return;
   references::ReportEntry entry;
@@ -70,7 +70,8 @@ void SceneReport::add(const SceneResult& result, const std::string& options,
     entry.reference = result.pictures->reference;
     entry.test = result.pictures->ours;
     entry.notes = notes_of(result);
-    entry.explain_command = "plumb explain" + options + " " + references::shell_word(result.scene);
+    if (options)
+      entry.explain_command = "plumb explain" + *options + " " + references::shell_word(result.scene);
   }
   writer_->add(entry);
 }

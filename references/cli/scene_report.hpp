@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "references/cli/report.hpp"
@@ -15,8 +16,9 @@ class SceneReport {
   SceneReport(const std::string& directory, const std::string& title, double tolerance);
 
   bool is_wanted() const { return writer_ != nullptr; }
-  /// `options` are those of plumb explain that the picture was made with, each with a blank before it.
-  void add(const references::SceneResult& result, const std::string& options,
+  /// `options` are those of plumb explain that the picture was made with, each with a blank before it;
+  /// nothing when plumb did not make it.
+  void add(const references::SceneResult& result, const std::optional<std::string>& options,
            const std::string& approve_command = "");
   /// Throws std::runtime_error when the directory cannot be written.
   void finish();

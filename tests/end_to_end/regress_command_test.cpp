@@ -131,9 +131,8 @@ TEST_F(Regress, ABadSceneIsTroubleAndDoesNotStopTheOthers) {
   EXPECT_TRUE(contains(outcome.out, "1 agree, 0 differ, 1 in trouble")) << outcome.out;
 }
 
-TEST_F(Regress, FilesBelowHiddenOnesAndOthersAreNoScenes) {
+TEST_F(Regress, HiddenFilesDirectoriesAndOthersAreNoScenes) {
   std::filesystem::create_directories(workplace_.path("scenes/deeper/folder.sdf"));
-  workplace_.file("scenes/deeper/a.sdf", "nonsense\n");
   workplace_.file("scenes/.hidden.sdf", "nonsense\n");
   workplace_.file("scenes/notes.txt", "nonsense\n");
   approve("ball");
@@ -202,7 +201,7 @@ TEST_P(DamagedBaselines, AreTroubleAndAreNotMadeAgain) {
 
 TEST_F(Regress, AnApprovalRecordsWhoWhenWhyAndHow) {
   EXPECT_EQ(regress({"--update", "ball", "--because", "it's \"right\"\n& <new>", "--size", "16x12"},
-                    {"GIT_AUTHOR_NAME=Ada Lovelace"})
+                    {"GIT_AUTHOR_NAME=Ada Lovelace", "GIT_AUTHOR_EMAIL="})
                 .exit_code,
             0);
   const Json record = records().at(0);
@@ -220,12 +219,16 @@ TEST_F(Regress, AnApprovalRecordsWhoWhenWhyAndHow) {
 }
 
 TEST_F(Regress, WithoutAGitNameTheLoginNameIsRecorded) {
-  approve("ball");
+  EXPECT_EQ(regress({"--update", "ball", "--because", "x"},
+                    {"HOME=" + workplace_.directory(), "XDG_CONFIG_HOME=" + workplace_.directory(),
+                     "GIT_CONFIG_NOSYSTEM=1", "GIT_AUTHOR_NAME=", "GIT_AUTHOR_EMAIL="})
+                .exit_code,
+            0);
   const auto login = run_shell("id -un", workplace_.directory());
   EXPECT_EQ(records().at(0).at("who").get<std::string>() + "\n", login.output);
 }
 
-/// The recorded command makes the very pixels again; the file holds the date, too.
+/// The recorded command makes the very file again.
 TEST_F(Regress, TheRecordedCommandRendersTheBaseline) {
   workplace_.file("scenes/it's.sdf", std::string(ball_scene));
   EXPECT_EQ(regress({"--update", "it's", "--because", "x", "--size", "16x12", "--real", "float"}).exit_code,
@@ -236,8 +239,7 @@ TEST_F(Regress, TheRecordedCommandRendersTheBaseline) {
   const auto result =
       run_shell("plumb() { \"$PLUMB\" \"$@\"; }; PLUMB=$0; cd scenes; " + command, workplace_.directory());
   EXPECT_EQ(result.exit_code, 0) << command << "\n" << result.output;
-  EXPECT_EQ(
-      run_plumb({"compare", "approved.exr", image, "--tolerance", "0"}, workplace_.directory()).exit_code, 0);
+  EXPECT_TRUE(read_file(image) == read_file(workplace_.path("approved.exr")));
 }
 
 TEST_F(Regress, TheShownCommandApproves) {
@@ -274,7 +276,7 @@ TEST_F(Regress, ASceneIsNamedByNameFileOrPath) {
   for (const std::string& name :
        {std::string("ball"), std::string("ball.sdf"), std::string("scenes/ball.sdf"),
         std::string("./scenes/../scenes/ball.sdf"), workplace_.path("scenes/ball.sdf")}) {
-    EXPECT_TRUE(contains(approve(name).out, "approved ball 32x24")) << name;
+    EXPECT_TRUE(contains(approve(name).out, " ball 32x24")) << name;
   }
   EXPECT_EQ(records().size(), 1U);
 }
