@@ -106,6 +106,15 @@ std::vector<Fault> of_the_blockers() {
   };
 }
 
+/// Hits count from t = 0 on, whatever rounding can tell.
+std::optional<double> sphere_from_zero(const Ray<double>& ray, const Vec3d& center, double radius,
+                                       bool starts_on_it) {
+  return formulas::intersect_sphere({ray.origin, ray.direction}, center, radius, starts_on_it);
+}
+std::optional<FaceHit<double>> box_from_zero(const Ray<double>& ray, const Corners<double>& box, Face start) {
+  return formulas::intersect_box({ray.origin, ray.direction}, box, start);
+}
+
 std::vector<Fault> of_the_shadow_ray() {
   return {
       {"shadow-offset-diagonal", 21, "Schatten", "A number is added to all three coordinates of the start.",
@@ -125,6 +134,8 @@ std::vector<Fault> of_the_shadow_ray() {
        [](Subject& s) {
          s.formulas.shadow_ray = &without_offset;
          s.formulas.is_ahead = [](double t, double) { return t > 0; };
+         s.formulas.intersect_sphere = &sphere_from_zero;
+         s.formulas.intersect_box = &box_from_zero;
        },
        nullptr},
       {"shadow-toward-position", 22, "Schatten", "The shadow ray's direction is the light's position.",

@@ -58,8 +58,10 @@ struct BruteHit {
 /// All six planes, each with all its points; the nearest that lies on the box and in front of the origin.
 template <class Real>
 BruteHit brute_force(const Ray<Real>& ray, const Corners<Real>& box, Face without = no_face) {
-  // because both sides are off by some roundings of numbers below 2^7: such edges are left out.
-  const Exact margin = 128 * 4 * static_cast<Exact>(std::numeric_limits<Real>::epsilon());
+  // because both sides are off by some roundings of numbers below 2^7, and what is at one place is a tie:
+  // such edges are left out.
+  const Exact margin = 128 * 4 * static_cast<Exact>(std::numeric_limits<Real>::epsilon()) +
+                       2 * static_cast<Exact>(formulas::resolution<Real>());
   BruteHit best;
   for (Face face = 0; face < 6; ++face) {
     const int axis = face / 2;
@@ -329,6 +331,53 @@ TYPED_TEST(BoxFormula, ARayThatStartsOnAFaceAtAnEdgeLeavesThere) {
   ASSERT_TRUE(hit.has_value());
   EXPECT_EQ(hit->face, 3);
   EXPECT_EQ(hit->t, epsilon / 8);
+}
+
+TYPED_TEST(BoxFormula, AtAnEdgeTheFirstAxisCountsHoweverTheRayIsRounded) {
+  using Real = TypeParam;
+  // Toward the edges of x = -1 and y = -1, of y = -1 and z = 1, and out of the one of x = 1 and z = -1.
+  for (int ulps = -4; ulps <= 4; ++ulps) {
+    const Real off = Real(ulps) * std::numeric_limits<Real>::epsilon();
+    EXPECT_EQ(this->hit({-2 + off, -2, 0}, {1, 1, 0})->face, 0) << ulps;
+    EXPECT_EQ(this->hit({0, -2, 2 + off}, {0, 1, -1})->face, 2) << ulps;
+    EXPECT_EQ(this->hit({off, 0, 0}, {1, 0, -1})->face, 1) << ulps;
+  }
+}
+
+TYPED_TEST(BoxFormula, AnEdgeThatIsOnlyTouchedIsMetHoweverTheRayIsRounded) {
+  using Real = TypeParam;
+  // Past the edge of x = -1 and y = 1: it enters by x where it leaves by y.
+  for (int ulps = -4; ulps <= 4; ++ulps) {
+    const Real off = Real(ulps) * std::numeric_limits<Real>::epsilon();
+    const auto hit = this->hit({-2 + off, 0, 0}, {1, 1, 0});
+    ASSERT_TRUE(hit.has_value()) << ulps;
+    EXPECT_EQ(hit->face, 0) << ulps;
+  }
+  EXPECT_FALSE(this->hit({-2, Real(0.001), 0}, {1, 1, 0}).has_value()) << "that is past it";
+}
+
+TYPED_TEST(BoxFormula, ARayInThePlaneOfAFaceIsParallelToItHoweverItIsRounded) {
+  using Real = TypeParam;
+  const Real epsilon = std::numeric_limits<Real>::epsilon();
+  for (const Real tilt : {Real(0), epsilon, -epsilon, epsilon / 8}) {
+    for (const Real beside : {Real(0), 2 * epsilon, -2 * epsilon}) {
+      const Ray<Real> ray{{-3, 1 + beside, 0}, {1, tilt, 0}, 3 * formulas::resolution<Real>()};
+      const auto hit = formulas::intersect_box(ray, this->unit, no_face);
+      ASSERT_TRUE(hit.has_value());
+      EXPECT_EQ(hit->face, 0);
+    }
+  }
+}
+
+TYPED_TEST(BoxFormula, WhatIsAtTheOriginIsBehindTheRay) {
+  using Real = TypeParam;
+  for (int ulps = -4; ulps <= 4; ++ulps) {
+    const Real off = Real(ulps) * std::numeric_limits<Real>::epsilon();
+    const Ray<Real> ray{{-1 + off, 0, 0}, {1, 0, 0}, formulas::resolution<Real>()};
+    const auto hit = formulas::intersect_box(ray, this->unit, no_face);
+    ASSERT_TRUE(hit.has_value()) << ulps;
+    EXPECT_EQ(hit->face, 1) << ulps << ": the face of which the ray starts is entered already";
+  }
 }
 
 TYPED_TEST(BoxFormula, EveryScaleGivesTheSameHit) {

@@ -67,7 +67,8 @@ TYPED_TEST(PhongFormula, LambertIsTheCosineOfTheAngleToTheNormal) {
 
 TYPED_TEST(PhongFormula, ALightCountsOnlyInFrontOfTheSurface) {
   using Real = TypeParam;
-  EXPECT_TRUE(formulas::light_counts(std::numeric_limits<Real>::min()));
+  EXPECT_TRUE(formulas::light_counts(2 * formulas::resolution<Real>()));
+  EXPECT_FALSE(formulas::light_counts(std::numeric_limits<Real>::epsilon())) << "rounding made it of 0";
   EXPECT_FALSE(formulas::light_counts(Real(0)));
   EXPECT_FALSE(formulas::light_counts(-Real(0)));
   EXPECT_FALSE(formulas::light_counts(Real(-0.5)));
@@ -190,6 +191,8 @@ TYPED_TEST(PhongFormula, AcrossTheMirroredDirectionThereIsNoHighlightEvenWithExp
 TYPED_TEST(PhongFormula, ExponentZeroGivesAHighlightEverywhereInFront) {
   using Real = TypeParam;
   EXPECT_EQ(formulas::specular_factor(Vec3<Real>(0, 1, 0), Vec3<Real>(1, Real(0.001), 0), Real(0)), Real(1));
+  const Real rounding = std::numeric_limits<Real>::epsilon();
+  EXPECT_EQ(formulas::specular_factor(Vec3<Real>(0, 1, 0), Vec3<Real>(1, rounding, 0), Real(0)), Real(0));
 }
 
 // --- Vollstaendiges Modell -------------------------------------------------------------------------

@@ -262,6 +262,20 @@ TYPED_TEST(SphereFormula, ARayThatStartsOnTheSphereAndGoesOutNeverMeetsItAgain) 
   }
 }
 
+TYPED_TEST(SphereFormula, ARootAtTheOriginIsBehindTheRayHoweverItIsRounded) {
+  using Real = TypeParam;
+  // From the pole of another sphere at the same place, through its middle.
+  for (int ulps = -4; ulps <= 4; ++ulps) {
+    const Real off = Real(ulps) * std::numeric_limits<Real>::epsilon();
+    const Ray<Real> inward{{0, 0, 1 + off}, {0, 0, -1}, formulas::resolution<Real>()};
+    const auto t = formulas::intersect_sphere(inward, Vec3<Real>(0), Real(1), false);
+    ASSERT_TRUE(t.has_value()) << ulps;
+    EXPECT_NEAR(static_cast<double>(*t), 2, 8 * static_cast<double>(std::numeric_limits<Real>::epsilon()));
+    const Ray<Real> outward{inward.origin, {0, 0, 1}, inward.t_min};
+    EXPECT_FALSE(formulas::intersect_sphere(outward, Vec3<Real>(0), Real(1), false).has_value()) << ulps;
+  }
+}
+
 TYPED_TEST(SphereFormula, EveryScaleGivesTheSameT) {
   using Real = TypeParam;
   Random<Real> random(8);

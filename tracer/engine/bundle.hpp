@@ -15,6 +15,7 @@ struct RayBounds {
   Vec3<double> origin_max{-std::numeric_limits<double>::infinity()};
   Vec3<double> slope_min{std::numeric_limits<double>::infinity()};
   Vec3<double> slope_max{-std::numeric_limits<double>::infinity()};
+  double reach = 0;  ///< so far beside its way a ray may find what is at one place with it
 };
 
 /// Every ray of a bundle is between the lines low(t) and high(t), along each axis, so it can only meet a box
@@ -29,8 +30,8 @@ class Bundle {
   };
 
   Bundle(const RayBounds& rays, const Group& group) {
-    const Vec3<double> low = (rays.origin_min - group.center) * group.scale;
-    const Vec3<double> high = (rays.origin_max - group.center) * group.scale;
+    const Vec3<double> low = (rays.origin_min - rays.reach - group.center) * group.scale;
+    const Vec3<double> high = (rays.origin_max + rays.reach - group.center) * group.scale;
     const Vec3<double> low_slope = rays.slope_min * group.scale;
     const Vec3<double> high_slope = rays.slope_max * group.scale;
     double steepest = 1e-300;

@@ -35,9 +35,11 @@ class Finder {
     if (size > size_limit_) return find_halves<any_hit>(rays, begin, size, knows_starts, light);
     BoundsOfRays<Real> origins, directions;
     bool any = false;
+    V<Real> t_min = set(Real(0));
     for (std::size_t i = begin; i < begin + size; i += lanes<Real>()) {
       const M<Real> is_asked = hn::And(first<Real>(begin + size - i), hn::Ge(load(&rays.t[i]), set(Real(0))));
       any = any || !none<Real>(is_asked);
+      t_min = hn::Max(t_min, hn::IfThenElseZero(is_asked, load(&rays.t_min[i])));
       origins.add(is_asked, load3(rays.origin, i));
       if (light == nullptr) directions.add(is_asked, load3(rays.direction, i));
     }
@@ -51,6 +53,7 @@ class Finder {
       bounds.slope_min = Vec3<double>(*light) - bounds.origin_min;
       bounds.slope_max = Vec3<double>(*light) - bounds.origin_max;
     }
+    bounds.reach = static_cast<double>(hn::GetLane(hn::MaxOfLanes(Tag<Real>(), t_min)));
     const double width = width_of(bounds, world);
     if (width > width_limit_) {
       // Evenly apart, no two of them are near enough.
@@ -60,12 +63,14 @@ class Finder {
     }
     Bundle bundle(bounds, world);
     if (light != nullptr) bundle.limit(1);
-    send<any_hit>(rays, begin, size, knows_starts, bundle);
+    send<any_hit>(rays, begin, size, knows_starts, bundle, bounds.reach);
   }
 
   /// Whether all rays within some bounds certainly go past everything.
-  bool meets_nothing(const RayBounds& rays) {
+  bool meets_nothing(RayBounds rays) {
     const Group& world = scene_.groups[0];
+    const Vec3<double> size = glm::max(glm::abs(rays.origin_min), glm::abs(rays.origin_max));
+    rays.reach = static_cast<double>(formulas::resolution<Real>()) * std::max({size.x, size.y, size.z});
     ++statistics_.bundles;
     return world.root.kind() == Kind::none ||
            !may_meet(scene_.nodes, world.root.index(), Bundle(rays, world));
@@ -93,15 +98,18 @@ class Finder {
     const Vec3<double> origin(vector_at(rays.origin, i));
     const Vec3<double> direction(light == nullptr ? Vec3<double>(vector_at(rays.direction, i))
                                                   : Vec3<double>(*light) - origin);
-    Bundle bundle({origin, origin, direction, direction}, scene_.groups[0]);
+    const RayBounds bounds{origin, origin, direction, direction, static_cast<double>(rays.t_min[i])};
+    Bundle bundle(bounds, scene_.groups[0]);
     if (light != nullptr) bundle.limit(1);
-    send<any_hit>(rays, i, 1, knows_starts, bundle);
+    send<any_hit>(rays, i, 1, knows_starts, bundle, bounds.reach);
   }
 
   template <bool any_hit>
-  void send(Rays<Real>& rays, std::size_t begin, std::size_t size, bool knows_starts, Bundle& bundle) {
+  void send(Rays<Real>& rays, std::size_t begin, std::size_t size, bool knows_starts, Bundle& bundle,
+            double t_min) {
     ++statistics_.bundles;
-    Traversal<Real, any_hit> traversal(scene_, rays, begin, size, knows_starts, workspace_, statistics_);
+    Traversal<Real, any_hit> traversal(scene_, rays, begin, size, knows_starts, t_min, workspace_,
+                                       statistics_);
     RayView<Real> view{&rays.origin, &rays.direction, &rays.per_direction, begin, true};
     traversal.follow(scene_.groups[0], bundle, view, 0);
   }

@@ -120,7 +120,7 @@ class Shader final : public TileRenderer<Real> {
     level.interior.fill(around_the_eye_);
     for (std::size_t i = 0; i < stream_size; i += lanes<Real>()) {
       store3<Real>(set3(view_.eye), level.rays.origin, i);
-      store_start(level.rays, i, set3(view_.eye));
+      store_start(level.rays, i, set3(view_.eye), set(Real(0)));
     }
   }
 
@@ -130,17 +130,17 @@ class Shader final : public TileRenderer<Real> {
   std::size_t start_tile(const Tile& tile, const SamplePoint& sample) {
     Level<Real>& level = level_at(0);
     const std::size_t size = number_pixels(tile, level);
-    // In units of the plane's width: x - 1/2, and (1/2 - y) * height / width. The whole numbers are added
-    // first, exactly: so a ray does not depend on the tile that its pixel is in.
+    // In units of the plane's width: x - 1/2, and (1/2 - y) * height / width, each exactly 0 in the middle.
+    // The whole numbers are added first, exactly: so a ray does not depend on the tile that its pixel is in.
     const V<Real> pixel = set(1 / static_cast<Real>(view_.width));
     const V<Real> left = set(static_cast<Real>(tile.x)), above = set(static_cast<Real>(tile.y));
     const V<Real> in_x = set(static_cast<Real>(sample.x)), in_y = set(static_cast<Real>(sample.y));
-    const V<Real> middle = set(static_cast<Real>(view_.height) / 2);
+    const V<Real> middle_x = set(static_cast<Real>(view_.width) / 2);
+    const V<Real> middle_y = set(static_cast<Real>(view_.height) / 2);
     const V3<Real> forward = set3(view_.forward);
     for (std::size_t i = 0; i < size; i += lanes<Real>()) {
-      const V<Real> x =
-          hn::Sub(hn::Mul(hn::Add(hn::Add(left, load(&pixel_x_[i])), in_x), pixel), set(Real(0.5)));
-      const V<Real> y = hn::Mul(hn::Sub(hn::Sub(middle, hn::Add(above, load(&pixel_y_[i]))), in_y), pixel);
+      const V<Real> x = hn::Mul(hn::Add(hn::Sub(hn::Add(left, load(&pixel_x_[i])), middle_x), in_x), pixel);
+      const V<Real> y = hn::Mul(hn::Sub(hn::Sub(middle_y, hn::Add(above, load(&pixel_y_[i]))), in_y), pixel);
       const V3<Real> across = scaled<Real>(set3(view_.right), x), along = scaled<Real>(set3(view_.up), y);
       store3<Real>(normalised<Real>(add<Real>(add<Real>(across, along), forward)), level.rays.direction, i);
     }
@@ -161,9 +161,10 @@ class Shader final : public TileRenderer<Real> {
     knows_whole_tile_ = is_whole;
     return size;
   }
-  HWY_INLINE void store_start(Rays<Real>& rays, std::size_t i, const V3<Real>& origin) {
+  /// A ray is no surer of its origin than the one that found it.
+  HWY_INLINE void store_start(Rays<Real>& rays, std::size_t i, const V3<Real>& origin, V<Real> found_by) {
     const V<Real> size = hn::Max(hn::Max(hn::Abs(origin.x), hn::Abs(origin.y)), hn::Abs(origin.z));
-    store<Real>(hn::Mul(size, set(formulas::resolution<Real>())), &rays.t_min[i]);
+    store<Real>(hn::Max(hn::Mul(size, set(formulas::resolution<Real>())), found_by), &rays.t_min[i]);
   }
 
   void trace(std::size_t index) {
@@ -196,7 +197,7 @@ class Shader final : public TileRenderer<Real> {
       const V3<Real> point = add<Real>(load3(level.rays.origin, i), scaled<Real>(direction, t));
       store3<Real>(point, level.point, i);
       store3<Real>(point, shadow_.rays.origin, i);
-      store_start(shadow_.rays, i, point);
+      store_start(shadow_.rays, i, point, load(&level.rays.t_min[i]));
       hn::StoreU(refs, w, &shadow_.rays.start[i]);
       hn::StoreU(hn::LoadU(w, &level.rays.face[i]), w, &shadow_.rays.start_face[i]);
       surfaces_.set_normals(level, i, point);
@@ -216,6 +217,7 @@ class Shader final : public TileRenderer<Real> {
     const WordTag<Real> w;
     Rays<Real>& shadow = shadow_.rays;
     const V3<Real> position = set3(light.position);
+    const bool through_glass = scene_.transmits && view_.options.glass_shadow != GlassShadow::full;
     for (std::size_t i = 0; i < level.size; i += lanes<Real>()) {
       const auto refs = hn::LoadU(w, &level.rays.ref[i]);
       const M<Real> is_hit = hn::RebindMask(Tag<Real>(), hn::Ne(refs, hn::Zero(w)));
@@ -229,14 +231,14 @@ class Shader final : public TileRenderer<Real> {
       const V<Real> distance = hn::Mul(square, per_distance);
       const V3<Real> l = scaled<Real>(offset, per_distance);
       const V<Real> cos_theta = dot<Real>(normal, l);
-      const M<Real> counts =
-          hn::And(is_hit, hn::And(hn::Gt(cos_theta, set(Real(0))), first<Real>(level.size - i)));
+      const M<Real> counts = hn::And(
+          is_hit, hn::And(hn::Gt(cos_theta, set(formulas::resolution<Real>())), first<Real>(level.size - i)));
       store3<Real>(l, shadow.direction, i);
       store<Real>(cos_theta, &shadow_.cos_theta[i]);
-      store<Real>(hn::IfThenElse(counts, distance, set(Real(-1))), &shadow.t[i]);
+      const V<Real> up_to = through_glass ? distance : before_light(distance, load(&shadow.t_min[i]));
+      store<Real>(hn::IfThenElse(counts, up_to, set(Real(-1))), &shadow.t[i]);
       statistics_.shadow_rays += hn::CountTrue(Tag<Real>(), counts);
     }
-    const bool through_glass = scene_.transmits && view_.options.glass_shadow != GlassShadow::full;
     if (view_.options.shadows && through_glass)
       look_through_glass(level);
     else if (view_.options.shadows && scene_.has_few_objects)
@@ -251,6 +253,12 @@ class Shader final : public TileRenderer<Real> {
       const V3<Real> colour = load3(level.colour, i);
       store3<Real>(where<Real>(is_lit, add<Real>(colour, added), colour), level.colour, i);
     }
+  }
+
+  /// Up to where something hides a light at that distance; greater than 0, for a light that is there at once.
+  static HWY_INLINE V<Real> before_light(V<Real> distance, V<Real> t_min) {
+    const V<Real> one_place = hn::Add(t_min, hn::Mul(set(formulas::resolution<Real>()), distance));
+    return hn::Max(hn::Sub(distance, one_place), set(std::numeric_limits<Real>::min()));
   }
 
   /// Rays that leave one object stay close to each other on their way to the light, wherever in the tile
@@ -319,7 +327,7 @@ class Shader final : public TileRenderer<Real> {
     const V3<Real> l = load3(shadow_.rays.direction, i), n = load3(level.normal, i);
     const V3<Real> r = sub<Real>(scaled<Real>(n, hn::Mul(set(Real(2)), cos_theta)), l);
     const V<Real> cos_alpha = hn::Neg(dot<Real>(r, load3(level.rays.direction, i)));
-    const M<Real> counts = hn::And(is_shiny, hn::Gt(cos_alpha, zero));
+    const M<Real> counts = hn::And(is_shiny, hn::Gt(cos_alpha, set(formulas::resolution<Real>())));
     if (none<Real>(counts)) return diffuse;
     const V<Real> factor = hn::IfThenElse(counts, power_of<Real>(cos_alpha, material.m()), zero);
     return add<Real>(diffuse, scaled<Real>(ks, factor));
@@ -347,7 +355,8 @@ class Shader final : public TileRenderer<Real> {
       for (std::size_t i = 0; i < level.size; ++i) {
         if (state[i] != walking) continue;
         const Ref ref(static_cast<std::uint32_t>(walk.ref[i]));
-        if (ref.bits == 0 || !(walk.t[i] < left[i])) {
+        if (ref.bits == 0 ||
+            !(walk.t[i] < left[i] - (walk.t_min[i] + formulas::resolution<Real>() * left[i]))) {
           state[i] = lit;
           continue;
         }
@@ -373,7 +382,7 @@ class Shader final : public TileRenderer<Real> {
     walk.origin.x[i] += walk.t[i] * walk.direction.x[i];
     walk.origin.y[i] += walk.t[i] * walk.direction.y[i];
     walk.origin.z[i] += walk.t[i] * walk.direction.z[i];
-    walk.t_min[i] = smallest_t(vector_at(walk.origin, i));
+    walk.t_min[i] = std::max(walk.t_min[i], smallest_t(vector_at(walk.origin, i)));
     walk.start[i] = walk.ref[i];
     walk.start_face[i] = walk.face[i];
     walk.start_instance[i] = walk.instance[i];
@@ -442,7 +451,7 @@ class Shader final : public TileRenderer<Real> {
     put(next.rays.origin, to, point);
     put(next.rays.direction, to, direction);
     put(next.weight, to, weight);
-    next.rays.t_min[to] = smallest_t(point);
+    next.rays.t_min[to] = std::max(level.rays.t_min[i], smallest_t(point));
     next.rays.start[to] = level.rays.ref[i];
     next.rays.start_face[to] = level.rays.face[i];
     next.rays.start_instance[to] = level.rays.instance[i];

@@ -12,7 +12,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace plumb::engine::HWY_NAMESPACE {
 
-/// Lanes that meet the shape at some t > 0, the smallest, and where.
+/// Lanes that meet the shape at some t > t_min, the smallest, and where.
 template <class Real>
 struct Met {
   M<Real> mask;
@@ -24,9 +24,10 @@ struct Met {
 template <class Real>
 struct RayVector {
   V3<Real> origin, direction;
-  bool is_unit;  ///< directions
-  bool any_own;  ///< whether a lane starts on the shape
-  M<Real> own;   ///< those that do
+  V<Real> t_min;  ///< rounding cannot tell hits up to here from the origin
+  bool is_unit;   ///< directions
+  bool any_own;   ///< whether a lane starts on the shape
+  M<Real> own;    ///< those that do
   W<Real> own_face;
 };
 
@@ -57,13 +58,19 @@ HWY_INLINE Met<Real> meet(const RayVector<Real>& ray, const Sphere<Real>& sphere
   const V<Real> root = hn::Sqrt(discriminant);
   const V<Real> q = hn::Add(root, hn::Abs(half_b));  // root -+ half_b, whichever does not cancel
   V<Real> t = hn::Div(hn::Abs(c), q);
-  const M<Real> leaves = hn::AndNot(is_outside, is_inward);
+  const M<Real> leaves = hn::And(is_inward, hn::Or(hn::Not(is_outside), hn::Le(t, ray.t_min)));
   if (!none<Real>(hn::And(mask, leaves))) t = hn::IfThenElse(leaves, hn::Div(q, a), t);
   if (ray.any_own) {
     mask = hn::Or(hn::AndNot(ray.own, mask), hn::And(ray.own, is_inward));
     t = hn::IfThenElse(ray.own, hn::Div(hn::Mul(set(Real(-2)), half_b), a), t);
   }
-  return {mask, t, hn::Zero(WordTag<Real>())};
+  return {hn::And(mask, hn::Gt(t, ray.t_min)), t, hn::Zero(WordTag<Real>())};
+}
+
+/// formulas::one_place.
+template <class Real>
+HWY_INLINE V<Real> one_place(const RayVector<Real>& ray, V<Real> t) {
+  return hn::Add(ray.t_min, hn::Mul(set(formulas::resolution<Real>()), t));
 }
 
 /// The planes of one axis, entered and left.
@@ -73,17 +80,32 @@ struct Slab {
   M<Real> is_missed;
 };
 
+/// 1 / v, and infinity where a component is 0 by formulas::is_parallel.
 template <class Real>
-HWY_INLINE Slab<Real> slab(V<Real> origin, V<Real> direction, V<Real> per_direction, Real low, Real high) {
+HWY_INLINE V3<Real> inverses(const V3<Real>& v) {
+  const V<Real> one = set(Real(1)), infinite = set(std::numeric_limits<Real>::infinity());
+  const V<Real> x = hn::Abs(v.x), y = hn::Abs(v.y), z = hn::Abs(v.z);
+  const V<Real> least = hn::Mul(set(4 * std::numeric_limits<Real>::epsilon()), hn::Max(hn::Max(x, y), z));
+  return {hn::IfThenElse(hn::Le(x, least), infinite, hn::Div(one, v.x)),
+          hn::IfThenElse(hn::Le(y, least), infinite, hn::Div(one, v.y)),
+          hn::IfThenElse(hn::Le(z, least), infinite, hn::Div(one, v.z))};
+}
+
+template <class Real>
+HWY_INLINE Slab<Real> slab(const RayVector<Real>& ray, V<Real> origin, V<Real> per_direction, Real low,
+                           Real high) {
   const V<Real> a = hn::Mul(hn::Sub(set(low), origin), per_direction);
   const V<Real> b = hn::Mul(hn::Sub(set(high), origin), per_direction);
-  const M<Real> is_parallel = hn::Eq(direction, set(Real(0)));
+  const M<Real> is_parallel = hn::Eq(per_direction, set(std::numeric_limits<Real>::infinity()));
   Slab<Real> found{hn::Min(a, b), hn::Max(a, b), hn::MaskFromVec(hn::Zero(Tag<Real>()))};
   if (HWY_LIKELY(none<Real>(is_parallel))) return found;
   const V<Real> infinite = set(std::numeric_limits<Real>::infinity());
   found.enter = hn::IfThenElse(is_parallel, hn::Neg(infinite), found.enter);
   found.leave = hn::IfThenElse(is_parallel, infinite, found.leave);
-  found.is_missed = hn::And(is_parallel, hn::Or(hn::Lt(origin, set(low)), hn::Gt(origin, set(high))));
+  const V3<Real>& d = ray.direction;
+  const V<Real> beside = hn::Mul(ray.t_min, hn::Max(hn::Max(hn::Abs(d.x), hn::Abs(d.y)), hn::Abs(d.z)));
+  found.is_missed = hn::And(is_parallel, hn::Or(hn::Lt(origin, hn::Sub(set(low), beside)),
+                                                hn::Gt(origin, hn::Add(set(high), beside))));
   return found;
 }
 
@@ -116,9 +138,9 @@ HWY_INLINE Met<Real> meet(const RayVector<Real>& ray, const V3<Real>& per_direct
   const WordTag<Real> w;
   const V<Real> zero = set(Real(0));
   const V3<Real>& d = ray.direction;
-  Slab<Real> x = slab<Real>(ray.origin.x, d.x, per_direction.x, box.min.x, box.max.x);
-  Slab<Real> y = slab<Real>(ray.origin.y, d.y, per_direction.y, box.min.y, box.max.y);
-  Slab<Real> z = slab<Real>(ray.origin.z, d.z, per_direction.z, box.min.z, box.max.z);
+  Slab<Real> x = slab<Real>(ray, ray.origin.x, per_direction.x, box.min.x, box.max.x);
+  Slab<Real> y = slab<Real>(ray, ray.origin.y, per_direction.y, box.min.y, box.max.y);
+  Slab<Real> z = slab<Real>(ray, ray.origin.z, per_direction.z, box.min.z, box.max.z);
   M<Real> is_missed = hn::Or(hn::Or(x.is_missed, y.is_missed), z.is_missed);
   if (ray.any_own) {
     const auto starts_on = [&](W<Real> face) HWY_ATTR { return starts_on_face(ray, face); };
@@ -130,13 +152,18 @@ HWY_INLINE Met<Real> meet(const RayVector<Real>& ray, const V3<Real>& per_direct
   }
   const V<Real> enter = hn::Max(hn::Max(x.enter, y.enter), z.enter);
   const V<Real> leave = hn::Min(hn::Min(x.leave, y.leave), z.leave);
-  M<Real> enters = hn::Gt(enter, zero);
+  M<Real> enters = hn::Gt(enter, ray.t_min);
   if (ray.any_own) enters = hn::AndNot(ray.own, enters);
   const V<Real> t = hn::IfThenElse(enters, enter, leave);
-  const M<Real> mask = hn::AndNot(is_missed, hn::And(hn::Le(enter, leave), hn::Gt(t, zero)));
+  const M<Real> is_through = hn::Le(enter, hn::Add(leave, one_place(ray, leave)));
+  const M<Real> mask = hn::AndNot(is_missed, hn::And(is_through, hn::Gt(t, ray.t_min)));
   if (none<Real>(mask)) return {mask, t, hn::Zero(w)};
+  const V<Real> about_t = one_place(ray, t);
   const auto face = [&](V<Real> of_x, V<Real> of_y, V<Real> all, bool entered) HWY_ATTR {
-    const auto by_x = hn::RebindMask(w, hn::Eq(of_x, all)), by_y = hn::RebindMask(w, hn::Eq(of_y, all));
+    const auto is_there = [&](V<Real> one) HWY_ATTR {
+      return hn::RebindMask(w, hn::Le(hn::Abs(hn::Sub(one, all)), about_t));
+    };
+    const auto by_x = is_there(of_x), by_y = is_there(of_y);
     return hn::IfThenElse(
         by_x, face_of<Real>(d.x, 0, entered),
         hn::IfThenElse(by_y, face_of<Real>(d.y, 1, entered), face_of<Real>(d.z, 2, entered)));

@@ -43,11 +43,6 @@ template <class Real>
 HWY_INLINE V3<Real> transformed_point(const Affine<Real>& m, const V3<Real>& p) {
   return add<Real>(transformed_vector<Real>(m, p), set3(m.origin));
 }
-template <class Real>
-HWY_INLINE V3<Real> inverses(const V3<Real>& v) {
-  const V<Real> one = set(Real(1));
-  return {hn::Div(one, v.x), hn::Div(one, v.y), hn::Div(one, v.z)};
-}
 
 /// Bounds of the rays whose lanes a mask keeps; the others do not count.
 template <class Real>
@@ -107,12 +102,13 @@ template <class Real, bool any_hit>
 class Traversal {
  public:
   Traversal(const CompiledScene<Real>& scene, Rays<Real>& rays, std::size_t begin, std::size_t size,
-            bool knows_starts, Workspace<Real>& workspace, Statistics& statistics)
+            bool knows_starts, double t_min, Workspace<Real>& workspace, Statistics& statistics)
       : scene_(scene),
         rays_(rays),
         begin_(begin),
         size_(size),
         knows_starts_(knows_starts),
+        t_min_(t_min),
         workspace_(workspace),
         statistics_(statistics) {}
 
@@ -187,7 +183,7 @@ class Traversal {
     if constexpr (any_hit) {
       all_are_hidden_ = t < 0;
     } else {
-      bundle.limit(static_cast<double>(t));
+      bundle.limit(static_cast<double>(t) + t_min_);
     }
   }
 
@@ -205,8 +201,11 @@ class Traversal {
       directions.add(is_asked(i), direction);
     }
     const Group& group = scene_.groups[member.group];
-    Bundle bundle({origins.min(), origins.max(), directions.min(), directions.max()}, group);
-    bundle.limit(static_cast<double>(farthest()));
+    RayBounds bounds{origins.min(), origins.max(), directions.min(), directions.max()};
+    const Vec3<double> longest = glm::max(glm::abs(bounds.slope_min), glm::abs(bounds.slope_max));
+    bounds.reach = t_min_ * std::max({longest.x, longest.y, longest.z});
+    Bundle bundle(bounds, group);
+    bundle.limit(static_cast<double>(farthest()) + t_min_);
     const std::uint64_t hits = hits_;
     RayView<Real> inside{&local->origin, &local->direction, &local->per_direction, 0, false};
     follow(group, bundle, inside, first + member.first);
@@ -244,9 +243,10 @@ class Traversal {
     return hits_ != hits;
   }
 
-  static HWY_INLINE RayVector<Real> ray_vector(const RayView<Real>& view, std::size_t i) {
+  HWY_INLINE RayVector<Real> ray_vector(const RayView<Real>& view, std::size_t i) const {
     return {load3(*view.origin, view.begin + i),
             load3(*view.direction, view.begin + i),
+            load(&rays_.t_min[begin_ + i]),
             view.is_unit,
             false,
             hn::MaskFromVec(hn::Zero(Tag<Real>())),
@@ -296,8 +296,8 @@ class Traversal {
   HWY_INLINE void accept(const Met<Real>& met, Ref ref, std::uint64_t instance, std::size_t i, bool is_box) {
     const WordTag<Real> w;
     Real* const best = &rays_.t[begin_ + i];
-    const V<Real> nearest = load(best), t_min = load(&rays_.t_min[begin_ + i]);
-    M<Real> mask = hn::And(met.mask, hn::Gt(met.t, t_min));
+    const V<Real> nearest = load(best);
+    M<Real> mask = met.mask;
     if (size_ - i < lanes<Real>()) mask = hn::And(mask, HWY_NAMESPACE::first<Real>(size_ - i));
     if constexpr (any_hit) {
       mask = hn::And(mask, hn::Lt(met.t, nearest));
@@ -305,10 +305,11 @@ class Traversal {
       ++hits_;
       store<Real>(hn::IfThenElse(mask, set(Real(-1)), nearest), best);
     } else {
-      const V<Real> one_place = hn::Add(t_min, hn::Mul(set(formulas::resolution<Real>()), met.t));
-      mask = hn::And(mask, hn::Lt(met.t, hn::Add(nearest, one_place)));
+      const V<Real> about_t =
+          hn::Add(load(&rays_.t_min[begin_ + i]), hn::Mul(set(formulas::resolution<Real>()), met.t));
+      mask = hn::And(mask, hn::Lt(met.t, hn::Add(nearest, about_t)));
       if (none<Real>(mask)) return;
-      const M<Real> is_tie = hn::And(mask, hn::Ge(met.t, hn::Sub(nearest, one_place)));
+      const M<Real> is_tie = hn::And(mask, hn::Ge(met.t, hn::Sub(nearest, about_t)));
       if (HWY_UNLIKELY(!none<Real>(is_tie))) mask = hn::AndNot(later(is_tie, instance, i), mask);
       ++hits_;
       store<Real>(hn::IfThenElse(mask, met.t, nearest), best);
@@ -346,6 +347,7 @@ class Traversal {
   Rays<Real>& rays_;
   std::size_t begin_, size_;
   bool knows_starts_;
+  double t_min_;  ///< the largest of the rays
   Workspace<Real>& workspace_;
   Statistics& statistics_;
   std::uint64_t hits_ = 0;

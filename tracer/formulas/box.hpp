@@ -1,6 +1,8 @@
 // Slide "Quader": where a ray meets an axis-parallel box.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -32,21 +34,47 @@ Corners<Real> box_from_center(const Vec3<Real>& center, const Vec3<Real>& edges)
   return {center - edges / Real(2), center + edges / Real(2)};
 }
 
+/// The largest component of a direction.
+template <class Real>
+Real longest_component(const Vec3<Real>& direction) {
+  using std::abs;
+  return std::max({abs(direction.x), abs(direction.y), abs(direction.z)});
+}
+
+/// No slide, a decision: a component that a few roundings of the direction may have made is 0.
+template <class Real>
+bool is_parallel(const Vec3<Real>& direction, int axis) {
+  using std::abs;
+  return abs(direction[axis]) <= 4 * std::numeric_limits<Real>::epsilon() * longest_component(direction);
+}
+
+/// No slide, a decision: where a ray meets planes of two or three axes at one place, the first axis counts.
+/// `times` are those of the planes that are entered, or left.
+template <class Real>
+Face face_met_at(Real t, const Vec3<Real>& times, const Ray<Real>& ray, bool is_entered) {
+  using std::abs;
+  int axis = 0;
+  while (axis < 2 && !(abs(times[axis] - t) <= one_place(ray, t))) ++axis;
+  const bool is_low = (ray.direction[axis] > 0) == is_entered;
+  return 2 * axis + (is_low ? 0 : 1);
+}
+
 /// Slide "Quader": of the six planes only the three toward the viewer can be entered, and the ray is
 /// inside after the last of them and before the first of the other three; from inside, the hit is
 /// where it leaves. No value for a miss. A ray that starts on `start_face` leaves that
 /// plane for good, so it is never met again: no epsilon is needed.
 template <class Real>
 std::optional<FaceHit<Real>> intersect_box(const Ray<Real>& ray, const Corners<Real>& box, Face start_face) {
-  FaceHit<Real> enter{-std::numeric_limits<Real>::infinity(), no_face};
-  FaceHit<Real> leave{std::numeric_limits<Real>::infinity(), no_face};
+  Vec3<Real> enter(-std::numeric_limits<Real>::infinity());
+  Vec3<Real> leave(std::numeric_limits<Real>::infinity());
+  const Real beside = ray.t_min * longest_component(ray.direction);
   for (int axis = 0; axis < 3; ++axis) {
-    const Real d = ray.direction[axis];
     const Real o = ray.origin[axis];
-    if (d == 0) {  // parallel to both planes
-      if (o < box.min[axis] || o > box.max[axis]) return std::nullopt;
+    if (is_parallel(ray.direction, axis)) {
+      if (o < box.min[axis] - beside || o > box.max[axis] + beside) return std::nullopt;
       continue;
     }
+    const Real d = ray.direction[axis];
     const bool ascending = d > 0;
     const Face near_face = 2 * axis + (ascending ? 0 : 1);
     const Face far_face = 2 * axis + (ascending ? 1 : 0);
@@ -54,14 +82,16 @@ std::optional<FaceHit<Real>> intersect_box(const Ray<Real>& ray, const Corners<R
     const Real per_d = 1 / d;
     const Real near_plane = ascending ? box.min[axis] : box.max[axis];
     const Real far_plane = ascending ? box.max[axis] : box.min[axis];
-    const Real t_near = start_face == near_face ? Real(0) : (near_plane - o) * per_d;
-    const Real t_far = (far_plane - o) * per_d;
-    if (t_near > enter.t) enter = {t_near, near_face};
-    if (t_far < leave.t) leave = {t_far, far_face};
+    enter[axis] = start_face == near_face ? Real(0) : (near_plane - o) * per_d;
+    leave[axis] = (far_plane - o) * per_d;
   }
-  if (!(enter.t <= leave.t)) return std::nullopt;
-  if (enter.t > 0 && start_face == no_face) return enter;
-  if (leave.t > 0 && leave.face != no_face) return leave;
+  const Real inside_from = std::max({enter.x, enter.y, enter.z});
+  const Real inside_to = std::min({leave.x, leave.y, leave.z});
+  if (!(inside_from <= inside_to + one_place(ray, inside_to))) return std::nullopt;
+  if (inside_from > ray.t_min && start_face == no_face)
+    return FaceHit<Real>{inside_from, face_met_at(inside_from, enter, ray, true)};
+  if (inside_to > ray.t_min && inside_to < std::numeric_limits<Real>::infinity())
+    return FaceHit<Real>{inside_to, face_met_at(inside_to, leave, ray, false)};
   return std::nullopt;
 }
 

@@ -55,10 +55,10 @@ Rgb<Real> arriving_light(const Rgb<Real>& intensity, [[maybe_unused]] Real dista
   return intensity;
 }
 
-/// Decision: a light counts, diffuse and specular, only when n.l > 0.
+/// Decision: a light counts, diffuse and specular, only when n.l > 0, by more than rounding can make of 0.
 template <class Real>
 bool light_counts(Real diffuse_factor) {
-  return diffuse_factor > 0;
+  return diffuse_factor > resolution<Real>();
 }
 
 /// Slide "Phong": r = 2 (n.l) n - l, the direction in which the surface mirrors the light.
@@ -67,12 +67,13 @@ Vec3<Real> reflected_light(const Vec3<Real>& n, const Vec3<Real>& l) {
   return 2 * glm::dot(n, l) * n - l;
 }
 
-/// Slide "Phong": (r.v)^m, and 0 when r.v <= 0.
+/// Slide "Phong": (r.v)^m, and 0 when r.v <= 0, or is no more than rounding can make of 0: with m = 0 that is
+/// 0 or 1.
 template <class Real>
 Real specular_factor(const Vec3<Real>& r, const Vec3<Real>& v, Real m) {
   using std::pow;
   const Real cos_alpha = glm::dot(r, v);
-  return cos_alpha > 0 ? pow(cos_alpha, m) : Real(0);
+  return cos_alpha > resolution<Real>() ? pow(cos_alpha, m) : Real(0);
 }
 
 /// Slide "Ambient": Ia ka.

@@ -12,6 +12,7 @@ template <class Real>
 struct Ray {
   Vec3<Real> origin;
   Vec3<Real> direction;
+  Real t_min = 0;  ///< rounding cannot tell hits up to here from the origin
 };
 
 namespace formulas {
@@ -30,6 +31,15 @@ constexpr Real resolution() {
 template <class Real>
 Vec3<Real> point_at(const Ray<Real>& ray, Real t) {
   return ray.origin + t * ray.direction;
+}
+
+/// No slide, a decision: hits about t that are no farther apart are one place to this ray. What is at one
+/// place with the origin lies behind the ray; of two shapes the first in the order of the scene is met there,
+/// of two faces of a box the one of the first axis; a box whose edge is there is met; and a light there is
+/// not hidden. Two ways to compute the same ray, whose roundings differ, so come to the same hit.
+template <class Real>
+Real one_place(const Ray<Real>& ray, Real t) {
+  return ray.t_min + resolution<Real>() * t;
 }
 
 /// No slide, a decision: whether a hit lies ahead of where the ray starts. Up to `rounding`, the resolution

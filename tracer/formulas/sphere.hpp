@@ -9,7 +9,8 @@
 namespace plumb::formulas {
 
 /// Slide "Kugel": the smallest positive root of a t^2 + b t + c = 0 with a = d.d,
-/// b = 2 d.(p0 - m), c = (p0 - m)^2 - r^2; no value for a miss. A tangent has one double root.
+/// b = 2 d.(p0 - m), c = (p0 - m)^2 - r^2; no value for a miss. A tangent has one double root. A root up to
+/// t_min is 0 by all that rounding can tell, so the other one counts.
 /// When the ray starts on this very sphere, one root is 0 and c vanishes: the other is -b/a, so
 /// no epsilon is needed to leave the surface.
 /// The roots are taken as q/a and c/q, free of cancellation (Press et al., Numerical Recipes,
@@ -25,7 +26,7 @@ std::optional<Real> intersect_sphere(const Ray<Real>& ray, const Vec3<Real>& cen
   const Real half_b = glm::dot(offset, ray.direction);
   if (starts_on_it) {
     const Real t = -2 * half_b / a;
-    return t > 0 ? std::optional<Real>(t) : std::nullopt;  // not infinity over infinity
+    return t > ray.t_min ? std::optional<Real>(t) : std::nullopt;  // not infinity over infinity
   }
   const Real c = glm::dot(offset, offset) - radius * radius;
   if (c > 0 && half_b >= 0) return std::nullopt;  // outside and moving away
@@ -34,8 +35,9 @@ std::optional<Real> intersect_sphere(const Ray<Real>& ray, const Vec3<Real>& cen
   if (!(discriminant >= 0)) return std::nullopt;
   const Real root = sqrt(discriminant);
   const Real q = root - half_b;  // does not cancel when the ray moves toward the centre
-  const Real t = half_b >= 0 ? -c / (half_b + root) : (c > 0 ? c / q : q / a);
-  return t > 0 ? std::optional<Real>(t) : std::nullopt;
+  const bool enters = half_b < 0 && c / q > ray.t_min;
+  const Real t = half_b >= 0 ? -c / (half_b + root) : (enters ? c / q : q / a);
+  return t > ray.t_min ? std::optional<Real>(t) : std::nullopt;
 }
 
 /// Outward normal, not normalised (its length is the radius).

@@ -145,7 +145,7 @@ std::optional<FaceHit<Real>> box_ize(const Ray<Real>& ray, const Corners<Real>& 
 /// Any of them that does not know where the ray starts.
 template <class Real, auto intersect>
 std::optional<FaceHit<Real>> box_unaware(const Ray<Real>& ray, const Corners<Real>& box, Face) {
-  return intersect(ray, box, no_face);
+  return intersect({ray.origin, ray.direction}, box, no_face);
 }
 
 }  // namespace plumb::methods

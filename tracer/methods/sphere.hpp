@@ -112,7 +112,7 @@ std::optional<Real> sphere_geometric(const Ray<Real>& ray, const Vec3<Real>& cen
 /// Any of them that does not know where the ray starts.
 template <class Real, auto intersect>
 std::optional<Real> sphere_unaware(const Ray<Real>& ray, const Vec3<Real>& center, Real radius, bool) {
-  return intersect(ray, center, radius, false);
+  return intersect({ray.origin, ray.direction}, center, radius, false);
 }
 
 }  // namespace plumb::methods

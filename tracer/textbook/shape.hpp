@@ -55,7 +55,6 @@ template <class Real, class Formulas>
 struct Query {
   const Formulas& formulas;
   SurfaceId start;                ///< where the ray starts: that surface is not met again at t = 0
-  Real t_min;                     ///< hits up to here cannot be told from the start by rounding
   bool is_shadow_ray = false;     ///< any hit that blocks the light is enough, it need not be the nearest
   Real light_distance = 0;        ///< of a shadow ray
   InstanceId lit = no_instance;   ///< that a shadow ray comes from
@@ -63,9 +62,8 @@ struct Query {
 
   /// Whether a hit counts and comes before the nearest so far. Two that rounding cannot tell apart are one
   /// place, and the first in the order of the file is taken: so coincident surfaces are crossed once.
-  bool is_nearer(InstanceId self, Real t, Real nearest) const {
-    return formulas->is_ahead(t, t_min) &&
-           formulas->is_nearer(t, nearest, t_min + formulas::resolution<Real>() * t) &&
+  bool is_nearer(const Ray<Real>& ray, InstanceId self, Real t, Real nearest) const {
+    return formulas->is_ahead(t, ray.t_min) && formulas->is_nearer(t, nearest, formulas::one_place(ray, t)) &&
            (!is_shadow_ray ||
             (formulas->blocks_light(t, light_distance) && formulas->may_block({self, lit, last})));
   }
@@ -90,7 +88,9 @@ class Shape {
   void intersect(const Query<Real, Formulas>& query, const Ray<Real>& ray, InstanceId first,
                  Hit<Real>& nearest) const {
     if (is_identity_) return intersect_here(query, ray, first, nearest);
-    intersect_here(query, query.formulas->transform_ray(parent_from_object_.inverse, ray), first, nearest);
+    Ray<Real> in_object = query.formulas->transform_ray(parent_from_object_.inverse, ray);
+    in_object.t_min = ray.t_min;
+    intersect_here(query, in_object, first, nearest);
   }
 
   /// The surface of a hit below this node in the parent's space, its normal by (M^-1)^T.
@@ -133,7 +133,7 @@ class Sphere final : public Shape<Real, Formulas> {
   void intersect_here(const Query<Real, Formulas>& query, const Ray<Real>& ray, InstanceId self,
                       Hit<Real>& nearest) const override {
     const auto t = query.formulas->intersect_sphere(ray, center_, radius_, query.start.instance == self);
-    if (t && query.is_nearer(self, *t, nearest.t)) nearest = {*t, {self, no_face}};
+    if (t && query.is_nearer(ray, self, *t, nearest.t)) nearest = {*t, {self, no_face}};
   }
   Surface<Real> surface_here(const Query<Real, Formulas>& query, const Ray<Real>& ray, InstanceId,
                              const Hit<Real>& hit) const override {
@@ -164,7 +164,7 @@ class Box final : public Shape<Real, Formulas> {
                       Hit<Real>& nearest) const override {
     const Face start = query.start.instance == self ? query.start.face : no_face;
     const auto hit = query.formulas->intersect_box(ray, corners_, start);
-    if (hit && query.is_nearer(self, hit->t, nearest.t)) nearest = {hit->t, {self, hit->face}};
+    if (hit && query.is_nearer(ray, self, hit->t, nearest.t)) nearest = {hit->t, {self, hit->face}};
   }
   Surface<Real> surface_here(const Query<Real, Formulas>& query, const Ray<Real>& ray, InstanceId,
                              const Hit<Real>& hit) const override {

@@ -54,9 +54,10 @@ class Tracer {
       observer_.is_black_at_depth_limit();
       return Rgb<Real>(0);
     }
-    const Hit<Real> hit = world_.nearest_hit(ray, start);
+    const Ray<Real> from_place = world_.with_t_min(ray);
+    const Hit<Real> hit = world_.nearest_hit(from_place, start);
     if (hit.surface.instance == no_instance) return world_.background();
-    return shade(ray, hit, interiors, depth, unbent);
+    return shade(from_place, hit, interiors, depth, unbent);
   }
 
   Rgb<Real> shade(const Ray<Real>& ray, const Hit<Real>& hit, const Interiors<Real>& interiors, int depth,
@@ -65,16 +66,15 @@ class Tracer {
     const Material<Real>& material = *surface.material;
     const Vec3<Real>& point = surface.point;
     const Vec3<Real> n = f_->facing_normal(f_->unit_normal(surface.normal), ray.direction);
-    const Vec3<Real> v = f_->toward_viewer({ray.direction, point, eye_});
     observer_.meets(hit, surface, point, n);
 
     const Rgb<Real> ambient = f_->ambient_light(world_.ambient(), material.ka);
     Rgb<Real> colour = ambient;
     for (std::size_t light = 0; light < world_.lights().size(); ++light)
-      colour = f_->with_light(colour, ambient, lit_by(light, point, n, v, hit, material));
+      colour = f_->with_light(colour, ambient, lit_by(light, ray, point, n, hit, material));
     if (!material.transmits && !material.mirrors) return colour;
 
-    const Ray<Real> mirrored = leave(point, n, f_->mirror_direction(ray.direction, n));
+    const Ray<Real> mirrored = leave(ray, point, n, f_->mirror_direction(ray.direction, n));
     Rgb<Real> refracted(0);
     if (material.transmits) {
       Interiors<Real> beyond = interiors;
@@ -83,9 +83,9 @@ class Tracer {
       if (!bent)
         return f_->colour_at_total_reflection(
             colour, trace(RayKind::totally_reflected, mirrored, hit.surface, interiors, depth + 1));
-      refracted = ratio == 1
-                      ? go_on_unbent(leave(point, n, *bent), hit.surface, beyond, depth, unbent)
-                      : trace(RayKind::refracted, leave(point, n, *bent), hit.surface, beyond, depth + 1);
+      refracted =
+          ratio == 1 ? go_on_unbent(leave(ray, point, n, *bent), hit.surface, beyond, depth, unbent)
+                     : trace(RayKind::refracted, leave(ray, point, n, *bent), hit.surface, beyond, depth + 1);
     }
     const Rgb<Real> reflected = material.mirrors
                                     ? trace(RayKind::mirrored, mirrored, hit.surface, interiors, depth + 1)
@@ -93,20 +93,25 @@ class Tracer {
     return f_->combined_colour(colour, material.mirror, reflected, material.transmit, refracted);
   }
 
-  Ray<Real> leave(const Vec3<Real>& point, const Vec3<Real>& n, const Vec3<Real>& direction) const {
-    return {f_->secondary_origin(point, n, direction), direction};
+  /// A ray is no surer of its origin than the one that found it.
+  Ray<Real> leave(const Ray<Real>& found_by, const Vec3<Real>& point, const Vec3<Real>& n,
+                  const Vec3<Real>& direction) const {
+    return {f_->secondary_origin(point, n, direction), direction, found_by.t_min};
   }
 
   /// Diffuse and specular light of one source; black when it is behind the surface or hidden.
-  Rgb<Real> lit_by(std::size_t index, const Vec3<Real>& point, const Vec3<Real>& n, const Vec3<Real>& v,
+  Rgb<Real> lit_by(std::size_t index, const Ray<Real>& found_by, const Vec3<Real>& point, const Vec3<Real>& n,
                    const Hit<Real>& hit, const Material<Real>& material) const {
     const Light<Real>& light = world_.lights()[index];
     const auto to_light = f_->toward_light(point, light.position);
     LightSeen<Real> seen{f_->diffuse_factor(n, to_light.direction), to_light.distance, false};
     seen.counts = f_->light_counts(seen.cos_theta);
     if (seen.counts) {
-      seen.delta = visibility(f_->shadow_ray(point, n, to_light, light.position), hit.surface, seen.blocker);
+      auto shadow = f_->shadow_ray(point, n, to_light, light.position);
+      shadow.ray.t_min = found_by.t_min;
+      seen.delta = visibility(shadow, hit.surface, seen.blocker);
       if (seen.delta != Rgb<Real>(0)) {
+        const Vec3<Real> v = f_->toward_viewer({found_by.direction, point, eye_});
         seen.specular_factor = f_->specular_factor(f_->reflected_light(n, to_light.direction), v, material.m);
       }
     }
@@ -132,8 +137,10 @@ class Tracer {
     Rgb<Real> delta(1);
     // A straight line crosses a convex object at most twice, which bounds the loop.
     for (InstanceId crossings = 0; crossings <= 2 * world_.instances(); ++crossings) {
+      ray = world_.with_t_min(ray);
       const Hit<Real> hit = world_.nearest_hit(ray, start);
-      if (hit.surface.instance == no_instance || !f_->blocks_light(hit.t, distance)) return delta;
+      if (hit.surface.instance == no_instance || !f_->blocks_light(hit.t, world_.before_light(ray, distance)))
+        return delta;
       const Material<Real>& material = *world_.surface(ray, hit).material;
       if (!material.transmits) {
         blocker = hit;

@@ -49,10 +49,17 @@ class World {
     return plumb::dielectrics_around(scene_, pose.eye, pose.direction);
   }
 
+  /// What is as near to the origin of the ray cannot be told from it, nor what could not at its t_min.
+  static Ray<Real> with_t_min(const Ray<Real>& ray) {
+    const Vec3<Real> size = glm::abs(ray.origin);
+    const Real here = formulas::resolution<Real>() * std::max({size.x, size.y, size.z});
+    return {ray.origin, ray.direction, std::max(ray.t_min, here)};
+  }
+
   /// The nearest hit with t > 0 of a ray of unit direction that starts on `start` (or in free space).
   Hit<Real> nearest_hit(const Ray<Real>& ray, SurfaceId start) const {
     Hit<Real> nearest;
-    root_->intersect({formulas_, start, smallest_t(ray)}, ray, 0, nearest);
+    root_->intersect({formulas_, start}, with_t_min(ray), 0, nearest);
     return nearest;
   }
 
@@ -60,22 +67,21 @@ class World {
   /// of no instance if none does.
   Hit<Real> blocker(const Ray<Real>& ray, SurfaceId start, Real light_distance, InstanceId lit) const {
     Hit<Real> found;
-    root_->intersect({formulas_, start, smallest_t(ray), true, light_distance, lit, instances() - 1}, ray, 0,
-                     found);
+    root_->intersect({formulas_, start, true, before_light(ray, light_distance), lit, instances() - 1},
+                     with_t_min(ray), 0, found);
     return found;
   }
 
+  /// Up to where something on the ray hides a light at that distance: what is at one place with it does not.
+  Real before_light(const Ray<Real>& ray, Real light_distance) const {
+    return light_distance - formulas::one_place(with_t_min(ray), light_distance);
+  }
+
   Surface<Real> surface(const Ray<Real>& ray, const Hit<Real>& hit) const {
-    return root_->surface({formulas_, {}, Real(0)}, ray, 0, hit);
+    return root_->surface({formulas_, {}}, ray, 0, hit);
   }
 
  private:
-  /// What is as near to the origin of the ray cannot be told from it.
-  static Real smallest_t(const Ray<Real>& ray) {
-    const Vec3<Real> size = glm::abs(ray.origin);
-    return formulas::resolution<Real>() * std::max({size.x, size.y, size.z});
-  }
-
   using Built = std::vector<std::shared_ptr<const Shape<Real, Formulas>>>;
 
   std::shared_ptr<const Shape<Real, Formulas>> build(const Scene& scene, ShapeId id, Built& built) const {
