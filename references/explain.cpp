@@ -1,7 +1,9 @@
 #include "references/explain.hpp"
 
+#include <array>
 #include <cstdio>
 
+#include "references/comparison.hpp"
 #include "tracer/scene/hierarchy.hpp"
 #include "tracer/scene/lexer.hpp"
 
@@ -258,6 +260,15 @@ std::string cut_note(const RayNode& tree) {
   if (!is_cut(tree)) return {};
   return "the tree is cut: the pixel has more than " + std::to_string(most_rays_of_pixel) +
          " rays, and the sum covers only those that were traced; choose a smaller --depth";
+}
+
+std::string engine_note(const Rgbd& of_rays, const Rgbd& of_engine) {
+  constexpr double tolerance = 1e-6;  // because verify's is, and float32 holds no less above 8
+  const std::array<float, 3> shown{float(of_rays.x), float(of_rays.y), float(of_rays.z)};
+  const std::array<float, 3> compared{float(of_engine.x), float(of_engine.y), float(of_engine.z)};
+  if (is_within(shown.data(), compared.data(), tolerance)) return {};
+  return "the engine, whose picture verify compares, comes to another colour than these rays of the textbook "
+         "tracer; please report the scene";
 }
 
 std::string explain_text(const Scene& scene, const RayNode& tree) { return Writer(scene).text(tree); }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
+#include <utility>
 
 #include "references/comparison.hpp"
 
@@ -102,6 +104,16 @@ std::string Judgement::note() const {
             (ran_out ? "the work for one scene was spent" : "more rays than are traced for one pixel");
   }
   return said;
+}
+
+void refute(const Judgement& judgement, Budget& budget) {
+  std::set<std::pair<int, int>> wrong;
+  for (const JudgedPixel& p : judgement.pixels) {
+    if (p.verdict == Verdict::ours_wrong || p.verdict == Verdict::both_wrong) wrong.emplace(p.x, p.y);
+  }
+  for (AttributedPixel& p : budget.pixels) {
+    if (wrong.contains({p.x, p.y})) p.cause = Cause::unexplained;
+  }
 }
 
 Judgement judge_pixels(const AttributionJob& job, double most_work) {

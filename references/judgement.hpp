@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "references/attribution.hpp"
 #include "references/oracle.hpp"
 
 namespace plumb::references {
@@ -42,6 +43,10 @@ struct Judgement {
 
 /// Spent at most on one scene, in units of Work; 5 to 10 s on a machine of 2023.
 inline constexpr double most_work_of_judgement = 1e9;
+
+/// A pixel at which our side is wrong is no matter of chance, whatever proof the budget has: it becomes
+/// unexplained, so that no two outputs contradict each other.
+void refute(const Judgement& judgement, Budget& budget);
 
 /// Judges every pixel over the tolerance, row by row, until the work is done. `job.work` and what the job
 /// says of the reference's precision are not used: a value that was rounded or clamped is wrong like any

@@ -90,8 +90,9 @@ class SceneVerifier {
     const Image ours = ours_of(scene_, options_.render, options_.real);
     result_.seconds_ours = cpu_seconds(threads_ > 1) - before;
     const AttributionJob whole = job(scene_, options_.render, reference, ours);
+    if (options_.judge) result_.judgement = judge_pixels(whole);
     judge(whole, result_);
-    if (options_.judge) add_judgement(whole);
+    if (options_.judge) add_message(result_, result_.judgement->note());
     if (!reference.warnings.empty()) add_message(result_, "POV-Ray warns: " + reference.warnings);
     add_message(result_, reservations(ours, warnings));
     if (options_.keeps_pictures) result_.pictures = pictures_of(whole, result_.comparison, result_.budget);
@@ -130,11 +131,6 @@ class SceneVerifier {
       // The verdict stands without the figure.
     }
     add_message(result_, "rendered with --real float" + by + "; try --real double");
-  }
-
-  void add_judgement(const AttributionJob& whole) {
-    result_.judgement = judge_pixels(whole);
-    add_message(result_, result_.judgement->note());
   }
 
   void compare_term(TermResult& result) const {
@@ -241,6 +237,7 @@ void judge(const AttributionJob& job, SceneResult& result) {
   const auto view = [](const Image& i) { return PictureView{i.width, i.height, 3, i.rgb.data()}; };
   result.metrics = cheap_metrics(view(job.reference), view(job.test));
   if (result.comparison.pixels_over > 0) result.budget = attribute(job);
+  if (result.judgement) refute(*result.judgement, result.budget);
   const std::string broken = broken_bound(result.budget, result.width, result.height);
   const bool agrees = result.budget.count(Cause::unexplained) == 0 && broken.empty();
   result.status = agrees ? Status::agree : Status::differ;

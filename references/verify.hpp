@@ -47,7 +47,7 @@ struct VerifyOptions : PictureOptions {
   int jobs = 0;                     ///< scenes at once; 0: as many as keep the machine busy
   double time_limit_seconds = 600;  ///< for one run of POV-Ray
   bool terms = false;               ///< also compare each term of the shading alone
-  bool judge = false;               ///< also say, of each pixel over, who is wrong; the status stays as it is
+  bool judge = false;  ///< also say, of each pixel over, who is wrong: ours nowhere, or it differs
   std::function<void(const std::string&)> on_notice;  ///< called first, when there is one; may be empty
   /// Renders our side in place of `renderer`, to be judged; may be empty.
   std::function<Image(const Scene&, const Camera&, const RenderJob&)> render_ours;
@@ -80,8 +80,9 @@ struct SceneResult {
   std::shared_ptr<const Pictures> pictures;  ///< when they are kept, and it was rendered
 };
 
-/// Compares the pictures, attributes every pixel over, and sets the figures and the status; the
-/// budget in words goes to the message. Width and height are set already.
+/// Compares the pictures, attributes every pixel over, and sets the figures and the status; where there is a
+/// judgement already, what it refutes is unexplained. The budget in words goes to the message. Width and
+/// height are set already.
 void judge(const AttributionJob& job, SceneResult& result);
 
 struct VerifyReport {

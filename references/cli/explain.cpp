@@ -8,6 +8,7 @@
 #include "references/cli/options.hpp"
 #include "references/cli/report.hpp"
 #include "references/reference_source.hpp"
+#include "references/renderer.hpp"
 #include "tracer/image/files.hpp"
 #include "tracer/scene/reader.hpp"
 
@@ -62,6 +63,29 @@ void print_tree(const Options& options, const Scene& scene, const View& view,
   flush_output();  // POV-Ray renders the whole picture, which may take a while
 }
 
+/// The engine's colour of the pixel, as `verify` compares it. Nothing where the pixel has more rays than are
+/// traced here: the picture may take for ever.
+std::optional<Rgbd> engine_pixel(const Options& options, const Scene& scene, const View& view, bool is_cut) {
+  if (is_cut) return std::nullopt;
+  RenderJob job;
+  job.width = view.size.width;
+  job.height = view.size.height;
+  job.options = render_options_of(options.common);
+  const Image image = references::render(references::Renderer::engine, scene, view.camera, job);
+  const float* const p = image.pixel(options.x, options.y);
+  return Rgbd(p[0], p[1], p[2]);
+}
+
+/// Of two tracers that agree nothing is said.
+std::string note_of(const references::RayNode& tree, const std::optional<Rgbd>& engine) {
+  return engine ? references::engine_note(tree.colour, *engine) : std::string();
+}
+
+void print_engine(const references::RayNode& tree, const std::optional<Rgbd>& engine) {
+  const std::string note = note_of(tree, engine);
+  if (!note.empty()) print_colour("engine", *engine, "   " + note);
+}
+
 void print_reference(const references::RayNode& tree, const ReferencePixel& reference) {
   if (!reference.colour) {
     std::printf("reference  none: %s\n", reference.from.c_str());
@@ -72,7 +96,7 @@ void print_reference(const references::RayNode& tree, const ReferencePixel& refe
 }
 
 Json to_json(const Options& options, const Scene& scene, const View& view, const references::RayNode& tree,
-             const ReferencePixel& reference) {
+             const std::optional<Rgbd>& engine, const ReferencePixel& reference) {
   const auto list = [](const Rgbd& c) { return Json{c.x, c.y, c.z}; };
   return {{"tool", "plumb"},
           {"version", PLUMB_VERSION},
@@ -82,6 +106,8 @@ Json to_json(const Options& options, const Scene& scene, const View& view, const
           {"width", view.size.width},
           {"height", view.size.height},
           {"ours", list(tree.colour)},
+          {"engine", engine ? list(*engine) : Json()},
+          {"engine_note", note_of(tree, engine)},
           {"reference", reference.colour ? list(*reference.colour) : Json()},
           {"reference_from", reference.from},
           {"is_cut", references::is_cut(tree)},
@@ -105,10 +131,12 @@ int run_explain(const Options& options) {
   const references::RayNode tree = tracer.tree_of(options.x, options.y);
   const bool prints = options.json != "-";
   if (prints) print_tree(options, scene, view, tree);
+  const std::optional<Rgbd> engine = engine_pixel(options, scene, view, references::is_cut(tree));
+  if (prints) print_engine(tree, engine);
   const ReferencePixel reference = reference_pixel(options, scene, view, references::is_cut(tree));
   if (prints) print_reference(tree, reference);
   if (options.json.empty()) return exit_agrees;
-  const Json json = to_json(options, scene, view, tree, reference);
+  const Json json = to_json(options, scene, view, tree, engine, reference);
   // Indented, 3,000 rays of depth 256 are hundreds of megabytes of blanks.
   const int indent = references::is_cut(tree) ? -1 : 2;
   write_file(options.json, json.dump(indent, ' ', false, Json::error_handler_t::replace) + "\n");

@@ -84,7 +84,8 @@ Command add_verify(CLI::App& plumb) {
   app->add_flag(
       "--judge", options->judge,
       "also settle in 113 bits, for each pixel over the tolerance, whether ours is wrong, the "
-      "reference, or both, or the scene's own last digits leave it open; the result stays as it is");
+      "reference, or both, or the scene's own last digits leave it open; where ours is wrong, the scene "
+      "differs, whatever explains the pixel otherwise");
   app->add_option("--jobs", options->jobs, "scenes at once; default: as many as keep the machine busy")
       ->type_name("N")
       ->check(CLI::Range(1, 256));

@@ -60,9 +60,13 @@ TEST_F(Explain, JsonHoldsTheTreeAndItsSums) {
   const Json json = Json::parse(outcome.out);
   EXPECT_EQ(json["x"], 16);
   EXPECT_EQ(json["width"], 32);
-  for (int c = 0; c < 3; ++c)
+  for (int c = 0; c < 3; ++c) {
+    EXPECT_NEAR(json["ours"][c].get<double>(), json["engine"][c].get<double>(), 1e-6)
+        << "verify compares the engine's";
     EXPECT_NEAR(json["ours"][c].get<double>(), json["reference"][c].get<double>(), 1e-6)
         << "as verify has it";
+  }
+  EXPECT_EQ(json["engine_note"], "");
   EXPECT_EQ(json["tree"]["children"].size(), 2U) << "mirrored and refracted";
   EXPECT_EQ(json["tree"]["colour"], json["ours"]);
   expect_sums(json["tree"]);
