@@ -1,7 +1,10 @@
 #include "references/diagnosis/diagnosis.hpp"
 
+#include <algorithm>
 #include <cstdio>
+#include <fstream>
 #include <memory>
+#include <optional>
 
 #include "references/cli/commands.hpp"
 #include "references/cli/diagnose_report.hpp"
@@ -23,6 +26,7 @@ struct Options {
   std::string json;
   std::string report;
   int hint = 3;
+  std::optional<double> tolerance;
   SceneOptions common;
 };
 
@@ -73,32 +77,59 @@ void print(const references::FoundFault& found, int hint) {
   if (hint == 2) return;
   std::printf("      id     %s\n      found  %s\n      right  %s\n", text_of(fault.id).c_str(),
               text_of(fault.wrong).c_str(), text_of(fault.right).c_str());
-  for (const references::Fault* other : found.alike)
-    std::printf("      or     %s: it gives the same picture here\n", text_of(other->id).c_str());
+  constexpr std::size_t most_alike = 5;
+  for (std::size_t i = 0; i < std::min(most_alike, found.alike.size()); ++i)
+    std::printf("      or     %s: it gives the same picture here\n", text_of(found.alike[i]->id).c_str());
+  if (found.alike.size() > most_alike)
+    std::printf("      or     any of %zu more that --json lists\n", found.alike.size() - most_alike);
+}
+
+void print_remaining(const references::Diagnosis& d) {
+  const double share = 100.0 * static_cast<double>(d.unexplained_pixels) / static_cast<double>(d.pixels);
+  const char* const with = d.verdict == references::PictureVerdict::faults ? " with them" : "";
+  std::printf("remaining%s: %zu pixels (%.2f %%) are not right, %zu of them more than 2/255 away, RMS %.2g\n",
+              with, d.unexplained_pixels, share, std::min(d.pixels_over, d.unexplained_pixels), d.rms);
+  if (d.non_finite > 0) std::printf("not finite: %zu pixels\n", d.non_finite);
+}
+
+void print_faults(const Options& options, const references::Diagnosis& d) {
+  const char* const plural = d.faults.size() == 1 ? "" : "s";
+  const char* const verb = d.faults.size() == 1 ? "explains" : "explain";
+  std::printf("%s: %zu fault%s %s %s (%s)\n", options.image.c_str(), d.faults.size(), plural, verb,
+              d.explains_all() ? "it" : "a part of it", d.encoding.in_words().c_str());
+  if (!d.explains_all())
+    std::printf("  %zu of %zu pixels have another cause\n", d.unexplained_pixels, d.pixels);
+  for (const references::FoundFault& found : d.faults) print(found, options.hint);
+}
+
+/// Of another scene are pictures in which hardly anything is right.
+void print_unexplained(const Options& options, const references::Diagnosis& d) {
+  const bool is_other = 2 * d.pixels_over > d.pixels;
+  std::printf("%s: no set of known faults explains it%s\n", options.image.c_str(),
+              is_other ? "; is it a picture of this scene?" : "");
 }
 
 void print(const Options& options, const references::Diagnosis& d) {
-  const double share = 100.0 * static_cast<double>(d.pixels_over) / static_cast<double>(d.pixels);
   switch (d.verdict) {
     case references::PictureVerdict::right:
       std::printf("%s: right (%s)", options.image.c_str(), d.encoding.in_words().c_str());
+      std::printf(d.edges == 0   ? "\n"
+                  : d.edges == 1 ? ", 1 pixel of it proven to lie on an edge\n"
+                                 : ", %zu pixels of it proven to lie on an edge\n",
+                  d.edges);
+      return;
+    case references::PictureVerdict::right_apart:
+      std::printf("%s: %s (%s)\n", options.image.c_str(), summary_of(d).c_str(),
+                  d.encoding.in_words().c_str());
       break;
     case references::PictureVerdict::faults:
-      std::printf("%s: %zu fault%s explain%s it (%s)\n", options.image.c_str(), d.faults.size(),
-                  d.faults.size() == 1 ? "" : "s", d.faults.size() == 1 ? "s" : "",
-                  d.encoding.in_words().c_str());
-      for (const references::FoundFault& found : d.faults) print(found, options.hint);
-      std::printf("remaining");
+      print_faults(options, d);
       break;
     case references::PictureVerdict::unexplained:
-      std::printf("%s: no set of known faults explains it; is it a picture of this scene?\n",
-                  options.image.c_str());
-      std::printf("remaining");
+      print_unexplained(options, d);
       break;
   }
-  std::printf("%s: %zu pixels (%.2f %%) more than 2/255 away, RMS %.2g\n",
-              d.verdict == references::PictureVerdict::right ? "" : " with the best of them", d.pixels_over,
-              share, d.rms);
+  print_remaining(d);
 }
 
 /// Names of faults are for the third hint alone.
@@ -114,18 +145,56 @@ void print(const std::vector<TellApart>& tell_apart, int hint) {
 
 int exit_code_of(references::PictureVerdict verdict) {
   if (verdict == references::PictureVerdict::right) return exit_agrees;
-  return verdict == references::PictureVerdict::faults ? exit_differs : exit_abstains;
+  return verdict == references::PictureVerdict::unexplained ? exit_abstains : exit_differs;
+}
+
+bool begins_like_a_picture(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string magic(4, '\0');
+  file.read(magic.data(), static_cast<std::streamsize>(magic.size()));
+  const auto begins = [&](std::string_view with) { return std::string_view(magic).starts_with(with); };
+  const bool is_netpbm =
+      magic[0] == 'P' && std::string_view("123456fF").find(magic[1]) != std::string_view::npos;
+  return is_netpbm || begins("\x89PNG") || begins("\x76\x2f\x31\x01") || begins("II*") || begins("MM") ||
+         begins("\xff\xd8") || begins("BM") || begins("#?");
+}
+
+/// Throws when a picture stands where the scene is expected, and the other file is none.
+void check_order(const Options& options) {
+  if (!begins_like_a_picture(options.scene) || begins_like_a_picture(options.image)) return;
+  throw std::invalid_argument("diagnose: found the picture " + options.scene +
+                              " before the scene, expected plumb diagnose " + options.image + " " +
+                              options.scene);
+}
+
+std::string size_text(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
+
+/// A picture of the same shape shows the same view, and is taken in its own size; throws for any other.
+void check_size(const Options& options, const PixelRows& seen, const references::Size& asked) {
+  const bool has_shape = options.common.size.empty() &&
+                         std::int64_t{seen.width} * asked.height == std::int64_t{seen.height} * asked.width;
+  if (has_shape || (seen.width == asked.width && seen.height == asked.height)) return;
+  const std::string found = size_text(seen.width, seen.height), wanted = size_text(asked.width, asked.height);
+  const bool is_scenes = options.common.size.empty();
+  throw std::invalid_argument(options.image + ": found " + found + " pixels, expected " + wanted +
+                              (is_scenes ? " as " + options.scene + " asks for" : ", the --size") +
+                              "; render it in " + wanted + ", or pass --size " + found +
+                              " if the tracer was asked for that");
 }
 
 int run_diagnose(const Options& options) {
+  check_order(options);
   const Scene scene = load_scene(options.scene, dialect_of(options.common), warn);
-  const ImageFile seen = read_image(options.image);
   const View view = view_of(scene, options.common);
+  const PixelRows rows = open_image(options.image);
+  check_size(options, rows, view.size);
+  const ImageFile seen = image_of(rows);
   RenderJob job;
   job.width = seen.width;
   job.height = seen.height;
   job.options = render_options_of(options.common);
-  const references::Diagnosis diagnosis = references::diagnose(scene, view.camera, job, seen);
+  const references::Diagnosis diagnosis =
+      references::diagnose(scene, view.camera, job, seen, options.tolerance);
   const bool is_asked = options.hint == 3 || !options.json.empty();
   const auto tell_apart = is_asked ? scenes_that_tell_apart(diagnosis) : std::vector<TellApart>{};
   if (options.json != "-") {
@@ -147,21 +216,29 @@ Command add_diagnose(CLI::App& plumb) {
       "diagnose", "Find the mistakes in a ray tracer from the picture that it made of a scene.");
   auto options = std::make_shared<Options>();
   app->add_option("SCENE", options->scene, "scene file")->required();
-  app->add_option("IMAGE", options->image, "the picture that the tracer made of it; it sets the size")
-      ->required();
+  app->add_option("IMAGE", options->image, "the picture that the tracer made of it")->required();
   app->add_option("--hint", options->hint, "how much is told: 1 the slide, 2 the mistake, 3 the formula, too")
       ->type_name("LEVEL")
       ->check(CLI::Range(1, 3))
       ->capture_default_str();
+  app->add_option("--tolerance", options->tolerance,
+                  "what a colour of a picture of floats may be off by, relative above 1 (without it 1e-6, or "
+                  "up to 1e-5 where float32 is off by more); by how much more, in shares of 1, the levels of "
+                  "integers may be off (without it by none)")
+      ->type_name("T")
+      ->check(CLI::Range(0.0, 1.0));
   app->add_option("--json", options->json, "write the result as JSON; - is standard output")
       ->type_name("FILE");
   app->add_option("--report", options->report,
                   "write a page with the pictures and each mistake to DIR/diagnose.html")
       ->type_name("DIR");
-  add_scene_options(*app, options->common, false);
+  add_scene_options(*app, options->common);
   app->footer(
       "Example: plumb diagnose tests/scenes/phong.sdf phong.ppm\n"
-      "Exit codes: 0 the picture is right, 1 faults explain it, 2 trouble, 3 nothing explains it.");
+      "Right is a picture of which every pixel is within what its file can hold, or proven to lie on an "
+      "edge.\n"
+      "Exit codes: 0 the picture is right; 1 faults explain it, or a part, or it is right apart from a few\n"
+      "pixels; 2 trouble; 3 nothing explains it.");
   return {app, [options] { return run_diagnose(*options); }};
 }
 

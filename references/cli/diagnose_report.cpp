@@ -74,14 +74,17 @@ std::string settled_by(const TellApart& group) {
 
 std::string verdict_of(const Diagnosed& d) {
   using references::PictureVerdict;
-  const std::string encoding = "<p class=muted>" + html_escaped(d.diagnosis.encoding.in_words()) + "</p>";
-  if (d.diagnosis.verdict == PictureVerdict::right) return "<p>The picture is right.</p>" + encoding;
-  if (d.diagnosis.verdict == PictureVerdict::unexplained)
-    return "<p>No set of known mistakes explains it. Is it a picture of this scene?</p>" + encoding;
-  const std::size_t count = d.diagnosis.faults.size();
-  return "<p>" + std::to_string(count) + (count == 1 ? " mistake explains" : " mistakes explain") + " it; " +
-         std::to_string(d.diagnosis.pixels_over) + " of " + std::to_string(d.diagnosis.pixels) +
-         " pixels remain more than 2 levels away.</p>" + encoding;
+  const references::Diagnosis& found = d.diagnosis;
+  const std::string encoding = "<p class=muted>" + html_escaped(found.encoding.in_words()) + "</p>";
+  const std::string summary = html_escaped(references::summary_of(found));
+  if (found.verdict == PictureVerdict::right) return "<p>The picture is right.</p>" + encoding;
+  if (found.verdict == PictureVerdict::right_apart)
+    return "<p>The picture is " + summary + ".</p>" + encoding;
+  if (found.verdict == PictureVerdict::unexplained)
+    return "<p>No set of known mistakes explains it: " + summary + ".</p>" + encoding;
+  const std::size_t count = found.faults.size();
+  return "<p>" + std::to_string(count) + (count == 1 ? " mistake explains " : " mistakes explain ") +
+         (found.explains_all() ? "it" : "a part of it: " + summary) + ".</p>" + encoding;
 }
 
 }  // namespace

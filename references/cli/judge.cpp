@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 
 #include "references/cli/commands.hpp"
@@ -28,6 +29,7 @@ struct Options {
   double timeout = 10, cpu = 20;
   int jobs = 2;
   int hint = 3;
+  std::optional<double> tolerance;
   SceneOptions common;
 };
 
@@ -86,6 +88,7 @@ references::JudgeOptions judge_options(const Options& options) {
   judge.keeps_pictures = !options.report.empty();
   judge.dialect = dialect_of(options.common);
   judge.render = render_options_of(options.common);
+  judge.tolerance = options.tolerance;
   return judge;
 }
 
@@ -210,6 +213,9 @@ Command add_judge(CLI::App& plumb) {
   app->add_option("--depth", options->common.depth, "recursion depth of the right picture")
       ->check(CLI::Range(1, max_depth))
       ->capture_default_str();
+  app->add_option("--tolerance", options->tolerance, "what pictures may be off by, as in plumb diagnose")
+      ->type_name("T")
+      ->check(CLI::Range(0.0, 1.0));
   add_dialect(*app, options->common, false);
   app->footer(
       "Example: plumb judge --renderer 'my-tracer {scene} {image}' --report report\n"

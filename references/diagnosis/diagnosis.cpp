@@ -1,63 +1,30 @@
 #include "references/diagnosis/diagnosis.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 
+#include "references/diagnosis/remains.hpp"
 #include "references/diagnosis/search.hpp"
+#include "references/ray_tree.hpp"
 
 namespace plumb::references {
 namespace {
 
-/// because float and double fall on either side of a level
-constexpr float rounding = 1;
 /// because an error of another kind may add to it
 constexpr float close = 2;
-/// The share of what is seen that has to be right, so that faults are an explanation: because of 500 other
-/// scenes' pictures the likest had 75 % in place with five faults, and 72 % with one.
-constexpr double enough = 0.76;
-/// because a right float picture has up to so many pixels across an edge
-constexpr double edges = 0.005;
-
-bool is_close(float difference) { return difference <= close; }
-
-/// The commonest colour of the picture, as the levels of its first pixel that has it.
-std::size_t a_pixel_of_the_background(const Evidence& evidence, std::size_t pixels) {
-  std::map<std::array<float, 3>, std::pair<std::size_t, std::size_t>> counts;  // how many, the first
-  for (std::size_t i = 0; i < pixels; ++i) {
-    const float* level = evidence.seen(i);
-    auto& [count, first] = counts.try_emplace({level[0], level[1], level[2]}, 0, i).first->second;
-    ++count;
-  }
-  return std::max_element(counts.begin(), counts.end(),
-                          [](const auto& a, const auto& b) { return a.second.first < b.second.first; })
-      ->second.second;
-}
-
-/// Of the pixels that are not background, or should not be, those that are right.
-double share_explained(const Evidence& evidence, const std::vector<float>& differences) {
-  const float* background = evidence.seen(a_pixel_of_the_background(evidence, differences.size()));
-  std::size_t shown = 0;
-  std::size_t right = 0;
-  for (std::size_t i = 0; i < differences.size(); ++i) {
-    if (std::equal(background, background + 3, evidence.seen(i)) && is_close(differences[i])) continue;
-    ++shown;
-    right += is_close(differences[i]) ? 1 : 0;
-  }
-  return shown == 0 ? 1 : static_cast<double>(right) / static_cast<double>(shown);
-}
-
-std::size_t over(const std::vector<float>& differences) {
-  return static_cast<std::size_t>(
-      std::count_if(differences.begin(), differences.end(), [](float d) { return !is_close(d); }));
-}
+/// The share of the pixels that are not right, that faults have to make right to the last level, so that they
+/// are named: TODO
+constexpr double enough = 0.9;
+/// TODO
+constexpr double most_apart = 0.05;
 
 void set_remaining(const std::vector<float>& differences, Diagnosis& diagnosis) {
   double squares = 0;
-  for (const float d : differences) squares += double{d} * d;
-  diagnosis.pixels = differences.size();
-  diagnosis.pixels_over = over(differences);
+  for (const float d : differences) {
+    squares += double{d} * d;
+    diagnosis.pixels_over += d <= close ? 0 : 1;
+  }
   diagnosis.rms = std::sqrt(squares / static_cast<double>(differences.size())) / 255;
 }
 
@@ -79,48 +46,29 @@ std::vector<const Fault*> alike(const Evidence& evidence, const Fit& fit, std::s
   return found;
 }
 
-/// Pixels of the survey that are right with a fault and not without it: within two levels, and exactly.
-struct Righted {
-  std::size_t close = 0;
-  std::size_t exact = 0;
-};
-
-/// Of each fault of the fit, in its order.
-std::vector<Righted> righted_by_each(const Evidence& evidence, const Fit& fit) {
-  const std::vector<float> together = evidence.differences_at(fit, evidence.survey());
-  std::vector<Righted> all;
-  for (const std::size_t fault : fit.set) {
-    const std::vector<float> otherwise =
-        evidence.differences_at({without(fit.set, fault), fit.encoding, 0, 0}, evidence.survey());
-    Righted righted;
-    for (std::size_t i = 0; i < together.size(); ++i) {
-      righted.close += is_close(together[i]) && !is_close(otherwise[i]) ? 1 : 0;
-      righted.exact += together[i] < rounding && otherwise[i] >= rounding ? 1 : 0;
-    }
+/// Of each fault of the set, in its order, the pixels of the survey that are right with it and not without.
+std::vector<std::size_t> righted_by_each(const Evidence& evidence, const FaultSet& set,
+                                         const OutputEncoding& encoding) {
+  const std::vector<bool> together = within(evidence, set, encoding, evidence.survey());
+  std::vector<std::size_t> all;
+  for (const std::size_t fault : set) {
+    const std::vector<bool> otherwise = within(evidence, without(set, fault), encoding, evidence.survey());
+    std::size_t righted = 0;
+    for (std::size_t i = 0; i < together.size(); ++i) righted += together[i] && !otherwise[i] ? 1 : 0;
     all.push_back(righted);
   }
   return all;
 }
 
-/// Takes out what only brings wrong pixels nearer, or a few of them to their level: that may be anything.
-std::vector<Righted> without_idle(const Evidence& evidence, Fit& fit) {
-  constexpr double few = 0.0005;  // because float and double disagree in up to 18 pixels of 153,600
-  const auto wanted = static_cast<std::size_t>(few * static_cast<double>(evidence.survey().size()));
+/// Takes out the fault that rights fewest pixels until each rights more than `few`.
+std::vector<std::size_t> without_idle(const Evidence& evidence, FaultSet& set, const OutputEncoding& encoding,
+                                      std::size_t few) {
   for (;;) {
-    std::vector<Righted> righted = righted_by_each(evidence, fit);
-    const auto idle = std::find_if(righted.begin(), righted.end(),
-                                   [&](const Righted& r) { return r.close == 0 && r.exact <= wanted; });
-    if (idle == righted.end()) return righted;
-    fit.set.erase(fit.set.begin() + (idle - righted.begin()));
+    std::vector<std::size_t> righted = righted_by_each(evidence, set, encoding);
+    const auto least = std::min_element(righted.begin(), righted.end());
+    if (least == righted.end() || *least > few) return righted;
+    set.erase(set.begin() + (least - righted.begin()));
   }
-}
-
-FoundFault found_fault(const Evidence& evidence, const Fit& fit, std::size_t fault, double explained,
-                       const Righted& righted) {
-  FoundFault found{&fault_catalogue()[fault], 0, 0, alike(evidence, fit, fault)};
-  found.pixels = righted.close * evidence.pixels_of_picture() / evidence.survey().size();
-  found.confidence = explained / static_cast<double>(1 + found.alike.size());
-  return found;
 }
 
 /// A picture of one colour, which tells too little to name more than one fault.
@@ -132,39 +80,161 @@ bool is_blank(const ImageFile& seen) {
   return true;
 }
 
+/// What stands at these pixels of the right picture.
+std::vector<ShapeSeen> shapes_at(const Evidence& evidence, const std::vector<std::size_t>& pixels) {
+  RenderOptions first_hit = evidence.job().options;
+  first_hit.depth = 1;
+  const TreeTracer tracer(evidence.scene(), evidence.camera(), evidence.width(), evidence.height(),
+                          first_hit);
+  std::map<std::string, std::size_t> counts;
+  for (const std::size_t pixel : pixels) {
+    const PixelPlace place = evidence.place_of(pixel);
+    const RayNode ray = tracer.tree_of(place.x, place.y);
+    ++counts[ray.meeting ? evidence.scene().shapes[ray.meeting->shape].name : std::string()];
+  }
+  std::vector<ShapeSeen> shapes;
+  for (const auto& [name, count] : counts) shapes.push_back({name, count});
+  std::stable_sort(shapes.begin(), shapes.end(),
+                   [](const ShapeSeen& a, const ShapeSeen& b) { return a.pixels > b.pixels; });
+  return shapes;
+}
+
+class Diagnostician {
+ public:
+  Diagnostician(const Evidence& evidence, const ImageFile& seen) : evidence_(evidence), seen_(seen) {
+    diagnosis_.pixels = evidence.pixels_of_picture();
+    diagnosis_.non_finite = evidence.non_finite();
+  }
+
+  Diagnosis run(Evidence& evidence) {
+    const Remains right = remains_of(evidence_, {});
+    if (right.pixels.empty() || 2 * diagnosis_.non_finite > diagnosis_.pixels) {
+      tell(PictureVerdict::right, right, {});
+      if (!right.pixels.empty()) diagnosis_.verdict = PictureVerdict::unexplained;
+      return diagnosis_;
+    }
+    Fit fit = explain(evidence);
+    if (!fit.set.empty() && are_faults(right, fit)) return diagnosis_;
+    const bool is_apart =
+        static_cast<double>(right.pixels.size()) <= most_apart * static_cast<double>(diagnosis_.pixels);
+    tell(is_apart ? PictureVerdict::right_apart : PictureVerdict::unexplained, right, {});
+    if (is_apart) diagnosis_.shapes = shapes_at(evidence_, right.pixels);
+    return diagnosis_;
+  }
+
+ private:
+  void tell(PictureVerdict verdict, const Remains& remains, const FaultSet& set) {
+    diagnosis_.verdict = verdict;
+    diagnosis_.encoding = remains.encoding;
+    diagnosis_.edges = remains.edges;
+    diagnosis_.unexplained_pixels = remains.pixels.size();
+    set_remaining(evidence_.differences({set, remains.encoding, 0, 0}), diagnosis_);
+  }
+
+  /// Whether the fit's faults explain enough; then they are told.
+  bool are_faults(const Remains& right, Fit& fit) {
+    Remains left = remains_of(evidence_, fit.set);
+    std::vector<std::size_t> righted =
+        without_idle(evidence_, fit.set, left.encoding, least_righted(right, left));
+    if (fit.set.empty() || (fit.set.size() > 1 && is_blank(seen_))) return false;
+    left = remains_of(evidence_, fit.set);
+    const double wrong = static_cast<double>(right.pixels.size());
+    diagnosis_.explained = 1 - static_cast<double>(left.pixels.size()) / wrong;
+    if (diagnosis_.explained < enough) return false;
+    tell(PictureVerdict::faults, left, fit.set);
+    fit.encoding = left.encoding;
+    for (std::size_t i = 0; i < fit.set.size(); ++i) add_fault(fit, i, righted[i]);
+    std::stable_sort(diagnosis_.faults.begin(), diagnosis_.faults.end(),
+                     [](const FoundFault& a, const FoundFault& b) { return a.pixels > b.pixels; });
+    return true;
+  }
+
+  /// In pixels of the survey.
+  std::size_t least_righted(const Remains& right, const Remains& left) const {
+    constexpr double of_picture = 0.0005;  // because float and double disagree in up to 18 of 153,600 pixels
+    constexpr double of_wrong = 0.02;      // because what explains a part alone has to explain more: TODO
+    const double share = left.pixels.empty()
+                             ? of_picture
+                             : std::max(of_picture, of_wrong * static_cast<double>(right.pixels.size()) /
+                                                        static_cast<double>(diagnosis_.pixels));
+    return static_cast<std::size_t>(share * static_cast<double>(evidence_.survey().size()));
+  }
+
+  void add_fault(const Fit& fit, std::size_t number, std::size_t righted) {
+    const std::size_t index = fit.set[number];
+    FoundFault found{&fault_catalogue()[index], 0, 0, alike(evidence_, fit, index)};
+    found.pixels = std::max<std::size_t>(1, righted * diagnosis_.pixels / evidence_.survey().size());
+    found.confidence = diagnosis_.explained / static_cast<double>(1 + found.alike.size());
+    diagnosis_.faults.push_back(found);
+    diagnosis_.is_flipped |= found.fault->id == "upside-down";
+  }
+
+  const Evidence& evidence_;
+  const ImageFile& seen_;
+  Diagnosis diagnosis_;
+};
+
+std::string count_text(std::size_t count, std::size_t of) {
+  return std::to_string(count) + " of " + std::to_string(of) + " pixels";
+}
+
+std::string in_words(const ShapeSeen& shape) {
+  return shape.name.empty() ? std::string("the background") : "'" + shape.name + "'";
+}
+
+std::string shapes_in_words(const std::vector<ShapeSeen>& shapes) {
+  constexpr std::size_t most = 3;
+  if (shapes.size() == 1) return "all on " + in_words(shapes.front());
+  std::string text;
+  for (std::size_t i = 0; i < std::min(most, shapes.size()); ++i)
+    text += (i == 0 ? "" : ", ") + std::to_string(shapes[i].pixels) + " on " + in_words(shapes[i]);
+  return shapes.size() > most ? text + ", others elsewhere" : text;
+}
+
+std::string not_right_in_words(const Diagnosis& d) {
+  switch (d.verdict) {
+    case PictureVerdict::right:
+      return {};
+    case PictureVerdict::right_apart:
+      return "right apart from " + count_text(d.unexplained_pixels, d.pixels) + ", " +
+             shapes_in_words(d.shapes);
+    case PictureVerdict::faults:
+      return d.explains_all()
+                 ? std::string()
+                 : "explains a part; " + count_text(d.unexplained_pixels, d.pixels) + " have another cause";
+    case PictureVerdict::unexplained:
+      break;
+  }
+  return count_text(d.unexplained_pixels, d.pixels) + " are not right";
+}
+
 }  // namespace
 
 const char* to_string(PictureVerdict verdict) {
-  if (verdict == PictureVerdict::right) return "right";
-  return verdict == PictureVerdict::faults ? "faults" : "unexplained";
+  switch (verdict) {
+    case PictureVerdict::right:
+      return "right";
+    case PictureVerdict::right_apart:
+      return "right_apart";
+    case PictureVerdict::faults:
+      return "faults";
+    case PictureVerdict::unexplained:
+      break;
+  }
+  return "unexplained";
 }
 
 Diagnosis diagnose(const Scene& scene, const Camera& camera, const textbook::RenderJob& job,
-                   const ImageFile& seen) {
-  Evidence evidence(scene, camera, job, seen);
-  Fit fit = explain(evidence);
-  const std::vector<Righted> righted = without_idle(evidence, fit);
-  const std::vector<float> differences = evidence.differences(fit);
-  Diagnosis diagnosis;
-  diagnosis.encoding = fit.encoding;
-  diagnosis.explained = share_explained(evidence, differences);
-  set_remaining(differences, diagnosis);
-  for (std::size_t i = 0; i < fit.set.size(); ++i) {
-    diagnosis.faults.push_back(found_fault(evidence, fit, fit.set[i], diagnosis.explained, righted[i]));
-    diagnosis.is_flipped |= fault_catalogue()[fit.set[i]].id == "upside-down";
-  }
-  std::stable_sort(diagnosis.faults.begin(), diagnosis.faults.end(),
-                   [](const FoundFault& a, const FoundFault& b) { return a.pixels > b.pixels; });
-  const auto wrong =
-      std::count_if(differences.begin(), differences.end(), [](float d) { return d > rounding; });
-  const bool is_right = static_cast<double>(wrong) <= edges * static_cast<double>(differences.size());
-  const bool is_explained =
-      fit.set.empty() ? is_right : diagnosis.explained >= enough && !(fit.set.size() > 1 && is_blank(seen));
-  if (is_explained)
-    diagnosis.verdict = fit.set.empty() ? PictureVerdict::right : PictureVerdict::faults;
-  else
-    diagnosis.faults.clear();  // who does not believe them does not name them
-  return diagnosis;
+                   const ImageFile& seen, std::optional<double> tolerance) {
+  Evidence evidence(scene, camera, job, seen, tolerance);
+  return Diagnostician(evidence, seen).run(evidence);
+}
+
+std::string summary_of(const Diagnosis& diagnosis) {
+  std::string text = not_right_in_words(diagnosis);
+  if (diagnosis.non_finite == 0) return text;
+  return text + (text.empty() ? "" : "; ") + std::to_string(diagnosis.non_finite) +
+         (diagnosis.non_finite == 1 ? " pixel is not finite" : " pixels are not finite");
 }
 
 }  // namespace plumb::references

@@ -1,6 +1,7 @@
 // What is wrong with the tracer that made a picture.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,9 +10,10 @@
 namespace plumb::references {
 
 enum class PictureVerdict {
-  right,       ///< the lecture's picture, in one of the encodings
-  faults,      ///< explained by the faults
-  unexplained  ///< neither: no set of known faults gives this picture
+  right,        ///< every pixel is what an encoding holds of the lecture's, or proven to lie on an edge
+  right_apart,  ///< all but a few, which no known fault explains
+  faults,       ///< explained by the faults, as a whole or in part
+  unexplained   ///< none of these: no set of known faults gives this picture
 };
 
 const char* to_string(PictureVerdict verdict);
@@ -19,8 +21,13 @@ const char* to_string(PictureVerdict verdict);
 struct FoundFault {
   const Fault* fault;
   double confidence;   ///< 0 to 1: the share explained, divided among those that cannot be told apart
-  std::size_t pixels;  ///< that are right with it and not without it
+  std::size_t pixels;  ///< that are right with it and not without it; never 0
   std::vector<const Fault*> alike;  ///< that give the same picture of this scene in its place
+};
+
+struct ShapeSeen {
+  std::string name;  ///< empty: the background
+  std::size_t pixels;
 };
 
 struct Diagnosis {
@@ -31,11 +38,24 @@ struct Diagnosis {
   double rms = 0;               ///< of what remains, in shares of 255 levels
   std::size_t pixels_over = 0;  ///< that remain more than 2 levels away
   std::size_t pixels = 0;       ///< of the picture
-  double explained = 0;         ///< share of the pixels that show more than the background
+  std::size_t non_finite = 0;   ///< pixels with a component that is no finite number
+  std::size_t edges = 0;        ///< pixels that are right because they are proven to lie on an edge
+  /// Pixels that neither the right picture nor, where there are faults, theirs accounts for.
+  std::size_t unexplained_pixels = 0;
+  double explained = 0;             ///< share of the pixels that are not right, that the faults make right
+  std::vector<ShapeSeen> shapes{};  ///< of right_apart: what these pixels should show, the most first
+
+  bool explains_all() const { return unexplained_pixels == 0; }
 };
 
-/// The picture's size is that of the job. Throws std::runtime_error when the scene cannot be traced.
+/// The picture's size is that of the job. `tolerance`, in shares of 1, is what colours of floats may be off
+/// by, relative above 1, instead of float32's own error; or by how much more the levels of integers may be
+/// off. Throws std::runtime_error when the scene cannot be traced.
 Diagnosis diagnose(const Scene& scene, const Camera& camera, const textbook::RenderJob& job,
-                   const ImageFile& seen);
+                   const ImageFile& seen, std::optional<double> tolerance = {});
+
+/// What is not right, in one line, e.g. "right apart from 313 of 76800 pixels, all on 'tiny'"; empty for a
+/// picture that is right.
+std::string summary_of(const Diagnosis& diagnosis);
 
 }  // namespace plumb::references

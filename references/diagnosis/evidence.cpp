@@ -17,14 +17,16 @@ constexpr double most_units_of_survey = 8e6;  // a fifth of a second
 constexpr double most_units_in_all = 3.4e8;   // 8 s at most, a quarter of it as a rule
 
 /// The largest difference of the three channels, in levels, from what an encoding leaves unrounded. What is
-/// no number on both sides agrees.
+/// no number is off by all levels, even where it is none on both sides.
 float difference(const float* unrounded, const float* seen, const OutputEncoding& encoding) {
   float largest = 0;
-  for (int channel = 0; channel < 3; ++channel) {
-    const float level = encoding.rounded(unrounded[encoding.is_bgr ? 2 - channel : channel]);
-    largest = std::max(largest, std::abs(level - seen[channel]));
+  for (std::size_t channel = 0; channel < 3; ++channel) {
+    const float level = encoding.rounded(unrounded[encoding.is_bgr ? 2 - channel : channel], channel);
+    const float apart = std::abs(level - seen[channel]);
+    if (!std::isfinite(apart)) return levels;
+    largest = std::max(largest, apart);
   }
-  return std::isfinite(largest) ? largest : levels;
+  return largest;
 }
 
 std::vector<float> unrounded(const float* colours, std::size_t count, const OutputEncoding& encoding) {
@@ -102,28 +104,62 @@ std::vector<PixelPlace> spread(int width, int height, std::size_t count) {
 }
 
 Evidence::Evidence(const Scene& scene, const Camera& camera, const textbook::RenderJob& job,
-                   const ImageFile& seen)
-    : scene_(scene),
-      camera_(camera),
-      job_(job),
-      encodings_(encodings_of(seen.sample)),
-      work_(most_units_in_all) {
-  const auto pixels = static_cast<std::size_t>(seen.width) * static_cast<std::size_t>(seen.height);
-  const auto channels = static_cast<std::size_t>(seen.channels);
-  seen_.resize(3 * pixels);
-  for (std::size_t i = 0; i < pixels; ++i) {
-    for (std::size_t c = 0; c < 3; ++c)
-      seen_[3 * i + c] = levels * seen.values[channels * i + (channels < 3 ? 0 : c)];
-  }
-  if (seen.sample == Sample::bits8)
-    for (float& level : seen_) level = std::round(level);
+                   const ImageFile& seen, std::optional<double> tolerance)
+    : scene_(scene), camera_(camera), job_(job), work_(most_units_in_all) {
+  SeenLevels known = seen_levels(seen);
+  encodings_ = encodings_of(known.read);
+  seen_ = std::move(known.values);
   const std::vector<PixelPlace> probe = spread(job_.width, job_.height, 200);
   Work work(0);
   colours_with(scene_, camera_, job_, {}, probe, work);
   units_of_pixel_ = work.spent() / static_cast<double>(probe.size());
   survey_ = spread(job_.width, job_.height,
                    static_cast<std::size_t>(std::clamp(most_units_of_survey / units_of_pixel_, 2000.0,
-                                                       static_cast<double>(pixels))));
+                                                       static_cast<double>(pixels_of_picture()))));
+  right_ = render(Renderer::engine, scene_, camera_, job_);
+  colour_error_ = known.read.is_float && tolerance ? *tolerance : float_error(scene_, camera_, job_, right_);
+  allowed_levels_ = known.read.is_float ? 0 : levels * tolerance.value_or(0);
+}
+
+bool Evidence::is_finite(std::size_t pixel) const {
+  const float* const at = seen(pixel);
+  return std::isfinite(at[0]) && std::isfinite(at[1]) && std::isfinite(at[2]);
+}
+
+std::size_t Evidence::non_finite() const {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < pixels_of_picture(); ++i) count += is_finite(i) ? 0 : 1;
+  return count;
+}
+
+PixelPlace Evidence::place_of(std::size_t pixel) const {
+  const auto width = static_cast<std::size_t>(job_.width);
+  return {static_cast<int>(pixel % width), static_cast<int>(pixel / width)};
+}
+
+const Image& Evidence::picture_with(const FaultSet& set) const {
+  if (set.empty()) return right_;
+  if (set == set_of_other_) return other_;
+  try {
+    other_ = render_with(scene_, camera_, job_, faults_of(set));
+  } catch (const std::runtime_error&) {
+    other_ = Image(job_.width, job_.height);
+    std::fill(other_.rgb.begin(), other_.rgb.end(), std::numeric_limits<float>::infinity());
+  }
+  set_of_other_ = set;
+  return other_;
+}
+
+std::vector<float> Evidence::moved_colours(int number, const FaultSet& set,
+                                           const std::vector<PixelPlace>& places, Work& work) const {
+  constexpr double units_of_shape = 50;  // to make a world of it
+  if (!moves_) moves_ = std::make_unique<FloatMoves>(scene_, camera_);
+  work.spend(units_of_shape * static_cast<double>(scene_.shapes.size()));
+  try {
+    return colours_with(moves_->moved(number), camera_, job_, faults_of(set), places, work);
+  } catch (const std::runtime_error&) {
+    return std::vector<float>(3 * places.size(), std::numeric_limits<float>::infinity());
+  }
 }
 
 bool Evidence::is_over(double share) const { return work_.spent() > share * most_units_in_all; }
@@ -174,8 +210,10 @@ std::vector<FaultSet> Evidence::alike(const Fit& fit, const std::vector<FaultSet
   const std::vector<float> known = colours(fit.set, places_);
   const auto agrees = [&](const FaultSet& set, std::size_t most) {
     const std::vector<float> other = colours(set, first(most));
-    return std::equal(other.begin(), other.end(), known.begin(),
-                      [&](float a, float b) { return fit.encoding.level(a) == fit.encoding.level(b); });
+    for (std::size_t i = 0; i < other.size(); ++i) {
+      if (fit.encoding.level(other[i], i % 3) != fit.encoding.level(known[i], i % 3)) return false;
+    }
+    return true;
   };
   std::vector<FaultSet> found;
   for (const FaultSet& set : sets) {
@@ -191,7 +229,8 @@ double Evidence::association(const std::vector<float>& colours) const {
   for (std::size_t channel = 0; channel < 3; ++channel) {
     for (std::size_t i = 0; i < given.size(); ++i) {
       given[i] = colours[3 * i + channel];
-      levels_seen[i] = seen(index_of(places_[i]))[channel];
+      const float level = seen(index_of(places_[i]))[channel];
+      levels_seen[i] = std::isfinite(level) ? level : -levels;  // what is no number has no order
     }
     sum += xi(given, levels_seen);
   }
@@ -208,9 +247,7 @@ std::vector<float> Evidence::differences_at(const Fit& fit, const std::vector<Pi
 }
 
 std::vector<float> Evidence::differences(const Fit& fit) const {
-  // The right picture by the engine, which gives the same: a whole one of deep glass takes seconds else.
-  const Image image = fit.set.empty() ? render(Renderer::engine, scene_, camera_, job_)
-                                      : render_with(scene_, camera_, job_, faults_of(fit.set));
+  const Image& image = picture_with(fit.set);
   const std::vector<float> found = unrounded(image.rgb.data(), image.rgb.size(), fit.encoding);
   std::vector<float> all(seen_.size() / 3);
   for (std::size_t i = 0; i < all.size(); ++i) all[i] = difference(&found[3 * i], seen(i), fit.encoding);

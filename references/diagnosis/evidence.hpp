@@ -1,9 +1,12 @@
 // The picture that is to be explained, and how well a set of faults explains it.
 #pragma once
 
+#include <memory>
+#include <optional>
 #include <vector>
 
-#include "references/diagnosis/output_encoding.hpp"
+#include "references/diagnosis/float_noise.hpp"
+#include "references/diagnosis/levels.hpp"
 #include "references/faults/fault.hpp"
 #include "tracer/image/image_file.hpp"
 
@@ -37,8 +40,23 @@ std::vector<PixelPlace> spread(int width, int height, std::size_t count);
 
 class Evidence {
  public:
-  /// All must outlive it. The job's size is the picture's.
-  Evidence(const Scene& scene, const Camera& camera, const textbook::RenderJob& job, const ImageFile& seen);
+  /// All must outlive it. The job's size is the picture's. `tolerance` is in shares of 1: without it, colours
+  /// may be off by what float32 rounds (see float_error()).
+  Evidence(const Scene& scene, const Camera& camera, const textbook::RenderJob& job, const ImageFile& seen,
+           std::optional<double> tolerance);
+
+  /// What a right colour may be off by, relative above 1, and what a level of integers may be off by beside.
+  double colour_error() const { return colour_error_; }
+  double allowed_levels() const { return allowed_levels_; }
+  /// Whether the picture has numbers at a pixel.
+  bool is_finite(std::size_t pixel) const;
+  std::size_t non_finite() const;
+  /// The whole picture that a set gives, which is kept until another is asked for; the right one, by the
+  /// engine, is kept for good. Not finite where the set cannot be traced.
+  const Image& picture_with(const FaultSet& set) const;
+  /// As colours(), of the scene as FloatMoves moves it.
+  std::vector<float> moved_colours(int number, const FaultSet& set, const std::vector<PixelPlace>& places,
+                                   Work& work) const;
 
   /// Whether this share of what the search may trace is traced.
   bool is_over(double share) const;
@@ -69,10 +87,14 @@ class Evidence {
   const std::vector<OutputEncoding>& encodings() const { return encodings_; }
   /// The levels that the picture has at a pixel.
   const float* seen(std::size_t pixel) const { return &seen_[3 * pixel]; }
+  std::size_t index_of(const PixelPlace& place) const;
+  PixelPlace place_of(std::size_t pixel) const;
+  const Scene& scene() const { return scene_; }
+  const Camera& camera() const { return camera_; }
+  const textbook::RenderJob& job() const { return job_; }
 
  private:
   std::vector<PixelPlace> first(std::size_t most) const;
-  std::size_t index_of(const PixelPlace& place) const;
   double misfit(const std::vector<float>& unrounded, const OutputEncoding& encoding) const;
   double association(const std::vector<float>& colours) const;
 
@@ -85,6 +107,12 @@ class Evidence {
   mutable Work work_;
   double units_of_pixel_;
   std::vector<PixelPlace> survey_;
+  Image right_;
+  double colour_error_ = 0;
+  double allowed_levels_ = 0;
+  mutable FaultSet set_of_other_;
+  mutable Image other_;
+  mutable std::unique_ptr<FloatMoves> moves_;
 };
 
 }  // namespace plumb::references

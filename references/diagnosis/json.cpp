@@ -19,6 +19,19 @@ Json to_json(const FoundFault& found, int hint) {
   return json;
 }
 
+/// The background has no name.
+Json shapes_json(const std::vector<ShapeSeen>& shapes) {
+  Json all = Json::array();
+  for (const ShapeSeen& shape : shapes)
+    all.push_back({{"name", shape.name.empty() ? Json() : Json(shape.name)}, {"pixels", shape.pixels}});
+  return all;
+}
+
+/// Of red, green and blue; floats have none.
+Json levels_json(const OutputEncoding& encoding) {
+  return encoding.is_float ? Json() : Json(encoding.levels);
+}
+
 }  // namespace
 
 Json to_json(const Diagnosis& diagnosis, int hint) {
@@ -29,10 +42,19 @@ Json to_json(const Diagnosis& diagnosis, int hint) {
     for (const Fault* other : found.alike) ambiguous.push_back({found.fault->id, other->id});
   }
   Json json{{"verdict", to_string(diagnosis.verdict)}, {"faults", faults}};
+  if (!diagnosis.faults.empty()) json["explains"] = diagnosis.explains_all() ? "all" : "part";
+  json["unexplained_pixels"] = diagnosis.unexplained_pixels;
+  json["edge_pixels"] = diagnosis.edges;
+  json["non_finite"] = diagnosis.non_finite;
+  if (diagnosis.verdict == PictureVerdict::right_apart) {
+    json["pixels"] = diagnosis.unexplained_pixels;
+    json["shapes"] = shapes_json(diagnosis.shapes);
+  }
   if (hint >= 3) json["ambiguous"] = ambiguous;
   json["encoding"] = {{"tone_map", diagnosis.encoding.tone_map},
                       {"gamma", diagnosis.encoding.gamma()},
                       {"rounding", diagnosis.encoding.rounds ? "round" : "truncate"},
+                      {"levels", levels_json(diagnosis.encoding)},
                       {"flipped", diagnosis.is_flipped}};
   json["remaining"] = {{"rms", diagnosis.rms}, {"pixels_over_2_255", diagnosis.pixels_over}};
   return json;

@@ -9,6 +9,12 @@ namespace plumb::references {
 namespace {
 
 constexpr float most = 255;
+/// because a curve and a product in float32 lose less than ten units in the last place, 6e-8 each
+constexpr float lost_by_encoding = 1e-6F;
+/// because a picture of fewer levels may have been made from one of 8 bits, rounded or truncated
+constexpr float lost_by_reducing = 1;
+/// because 255.99 is as common a factor as 256
+constexpr float lost_by_factor = 0.011F;
 
 float curved(float c, Curve curve) {
   if (curve == Curve::linear || !(c > 0)) return c;
@@ -22,28 +28,55 @@ float OutputEncoding::unrounded(float colour) const {
   return most * curved(tone_map ? tone_mapped(colour) : colour, curve);
 }
 
-float OutputEncoding::rounded(float level) const {
-  if (std::isnan(level)) return 0;
+float OutputEncoding::rounded(float level, std::size_t channel) const {
   if (is_float) return level;
-  return std::clamp(std::floor(rounds ? level + 0.5F : level), 0.0F, most);
+  if (std::isnan(level)) return 0;
+  const auto steps = static_cast<float>(levels.at(channel) - 1);
+  const float scaled = level * ((has_equal_parts ? steps + 1 : steps) / most);
+  const float step = std::clamp(std::floor(rounds ? scaled + 0.5F : scaled), 0.0F, steps);
+  return most * step / steps;
+}
+
+float OutputEncoding::slack(float level, const float* seen, std::size_t channel) const {
+  const float lost_by_curve = lost_by_encoding * std::max(most, std::abs(level));
+  if (is_float) {
+    const float held = shares_exponent ? *std::max_element(seen, seen + 3) : std::abs(seen[channel]);
+    return lost_by_curve + lost * held;
+  }
+  if (levels.at(channel) < 256) return lost_by_curve + lost_by_reducing;
+  return lost_by_curve + (has_equal_parts ? lost_by_factor : 0);
+}
+
+std::string OutputEncoding::depth_in_words() const {
+  if (is_float) return "floats";
+  const std::string how = rounds ? "rounded to " : "truncated to ";
+  if (has_256_levels()) return how + "8 bits" + (has_equal_parts ? " as 256 equal parts" : "");
+  if (levels == std::array{65536, 65536, 65536}) return how + "16 bits";
+  std::string text = std::to_string(levels[0]);
+  if (levels[1] != levels[0] || levels[2] != levels[0])
+    text += ", " + std::to_string(levels[1]) + " and " + std::to_string(levels[2]);
+  return how + text + " levels";
 }
 
 std::string OutputEncoding::in_words() const {
   std::string words = tone_map ? "tone-mapped" : "not tone-mapped";
   if (curve != Curve::linear) words += curve == Curve::srgb ? ", sRGB curve" : ", gamma 2.2";
   if (is_bgr) words += ", red and blue exchanged";
-  return words + (is_float ? ", floats" : rounds ? ", rounded to 8 bits" : ", truncated to 8 bits");
+  return words + ", " + depth_in_words();
 }
 
-std::vector<OutputEncoding> encodings_of(Sample sample) {
-  const bool is_float = sample != Sample::bits8;
+std::vector<OutputEncoding> encodings_of(const OutputEncoding& read) {
   std::vector<OutputEncoding> all;
   for (const bool is_bgr : {false, true}) {
     for (const Curve curve : {Curve::linear, Curve::gamma, Curve::srgb}) {
       for (const bool tone_map : {true, false}) {
         for (const bool rounds : {false, true}) {
-          if (rounds && is_float) continue;
-          all.push_back({tone_map, curve, rounds, is_bgr, is_float});
+          if (rounds && read.is_float) continue;
+          OutputEncoding& one = all.emplace_back(read);
+          one.tone_map = tone_map;
+          one.curve = curve;
+          one.rounds = rounds;
+          one.is_bgr = is_bgr;
         }
       }
     }

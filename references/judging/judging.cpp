@@ -60,8 +60,17 @@ std::string figures_of(const Image& ours, const ImageFile& theirs, const OutputE
 }
 
 Judged verdict_of(PictureVerdict verdict) {
-  if (verdict == PictureVerdict::right) return Judged::right;
-  return verdict == PictureVerdict::faults ? Judged::faults : Judged::unexplained;
+  switch (verdict) {
+    case PictureVerdict::right:
+      return Judged::right;
+    case PictureVerdict::right_apart:
+      return Judged::right_apart;
+    case PictureVerdict::faults:
+      return Judged::faults;
+    case PictureVerdict::unexplained:
+      break;
+  }
+  return Judged::unexplained;
 }
 
 /// The picture as far as it is judged by its file.
@@ -76,8 +85,9 @@ void judge_picture(const std::string& file, const JudgedScene& scene, const Judg
   job.options = options.render;
   job.threads = 1;
   const Camera& camera = scene.scene.camera(asked.camera);
-  result.diagnosis = diagnose(scene.scene, camera, job, *seen);
+  result.diagnosis = diagnose(scene.scene, camera, job, *seen, options.tolerance);
   result.verdict = verdict_of(result.diagnosis->verdict);
+  result.message = summary_of(*result.diagnosis);
   if (options.keeps_pictures)
     result.figures =
         figures_of(render(Renderer::engine, scene.scene, camera, job), *seen, result.diagnosis->encoding);
@@ -98,9 +108,10 @@ JudgedPicture judge_one(const Submission& submission, const JudgedScene& scene, 
 }  // namespace
 
 const char* to_string(Judged verdict) {
-  constexpr std::array names{
-      "right",   "faults",    "unexplained",  "wrong-size",      "no-image",           "unreadable",
-      "crashed", "timed-out", "too-much-cpu", "too-much-memory", "too-many-processes", "too-much-output"};
+  constexpr std::array names{"right",          "right-apart",  "faults",          "unexplained",
+                             "wrong-size",     "no-image",     "unreadable",      "crashed",
+                             "timed-out",      "too-much-cpu", "too-much-memory", "too-many-processes",
+                             "too-much-output"};
   return names.at(static_cast<std::size_t>(verdict));
 }
 

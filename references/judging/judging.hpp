@@ -16,7 +16,8 @@ namespace plumb::references {
 
 enum class Judged {
   right,
-  faults,       ///< known ones explain the picture
+  right_apart,  ///< from a few pixels
+  faults,       ///< known ones explain the picture, or a part
   unexplained,  ///< wrong, in a way that is not known
   wrong_size,
   no_image,
@@ -63,6 +64,7 @@ struct JudgeOptions {
   bool keeps_pictures = false;
   Dialect dialect;
   RenderOptions render;
+  std::optional<double> tolerance;       ///< as in diagnose()
   std::function<void(double)> progress;  ///< from one thread at a time
 };
 

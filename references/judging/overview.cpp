@@ -77,7 +77,9 @@ std::string overview_junit(const std::vector<JudgedPicture>& all, HintLevel hint
     one.seconds = picture.wall_seconds;
     if (picture.verdict != Judged::right) {
       one.outcome = JunitCase::Outcome::failed;
-      const std::string why = picture.message.empty() ? fault_list(picture, hint) : picture.message;
+      const std::string faults = fault_list(picture, hint);
+      const std::string why =
+          picture.message + (picture.message.empty() || faults.empty() ? "" : "; ") + faults;
       one.message = std::string(to_string(picture.verdict)) + (why.empty() ? "" : ": " + why);
       one.details = picture.printed;
     }

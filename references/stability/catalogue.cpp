@@ -1,6 +1,8 @@
 #include "references/stability/catalogue.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <type_traits>
 #include <utility>
 
@@ -25,6 +27,11 @@ struct Words {
   const char *id, *source, *cause, *remedy;
 };
 
+/// What is no number is farther off than any other.
+double farther(double a, double b) {
+  return std::isnan(b) ? std::numeric_limits<double>::infinity() : std::max(a, b);
+}
+
 /// The same rays at every value, so that bisection sees one condition change.
 Probe of_rays(Experiment experiment) {
   return [experiment = std::move(experiment)](double value, int rays) {
@@ -40,8 +47,8 @@ Probe of_rays(Experiment experiment) {
       const bool is_wrong = trial.missed || trial.self_shadow || !(trial.relative <= 0.01);
       all.wrong += is_wrong ? 1 : 0;
       if (trial.missed) continue;
-      all.ulps = std::max(all.ulps, trial.ulps);
-      all.relative = std::max(all.relative, trial.relative);
+      all.ulps = farther(all.ulps, trial.ulps);
+      all.relative = farther(all.relative, trial.relative);
     }
     all.counts = asked > 0;
     if (all.counts) all.wrong /= asked;

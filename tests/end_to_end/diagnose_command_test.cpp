@@ -66,6 +66,54 @@ TEST_F(DiagnoseCommand, ItAbstainsFromAnotherPicture) {
   EXPECT_TRUE(contains(outcome.out, "no set of known faults explains it")) << outcome.out;
 }
 
+TEST_F(DiagnoseCommand, WhatIsNearlyRightIsCountedAndNamed) {
+  workplace_.file("with.sdf", replaced(ball_scene, "define light",
+                                       "define shape sphere tiny 0.9 0.7 -2.6 0.09 red\ndefine light"));
+  ASSERT_EQ(run({"render", "s.sdf", "-o", "a.ppm"}).exit_code, 0);
+  const Outcome outcome = run({"diagnose", "with.sdf", "a.ppm"});
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.out;
+  EXPECT_TRUE(contains(outcome.out, "a.ppm: right apart from ")) << outcome.out;
+  EXPECT_TRUE(contains(outcome.out, "'tiny'")) << outcome.out;
+  const Json json = json_of({"diagnose", "with.sdf", "a.ppm", "--json", "-"});
+  EXPECT_EQ(json["verdict"], "right_apart");
+  EXPECT_EQ(json["shapes"][0]["name"], "tiny");
+  EXPECT_EQ(json["pixels"], json["unexplained_pixels"]);
+}
+
+TEST_F(DiagnoseCommand, WhatIsNotRightIsNeverNoPixelAway) {
+  workplace_.file("other.sdf", replaced(ball_scene, "ambient 0.2 0.2 0.2", "ambient 0.2003 0.2 0.2"));
+  ASSERT_EQ(run({"render", "other.sdf", "-o", "a.pfm"}).exit_code, 0);
+  const Outcome outcome = run({"diagnose", "s.sdf", "a.pfm"});
+  EXPECT_EQ(outcome.exit_code, 3) << outcome.out;
+  EXPECT_FALSE(contains(outcome.out, "remaining: 0 pixels")) << outcome.out;
+  EXPECT_FALSE(contains(outcome.out, "is it a picture of this scene?")) << outcome.out;
+}
+
+TEST_F(DiagnoseCommand, SwappedArgumentsAreNamed) {
+  ASSERT_EQ(run({"render", "s.sdf", "-o", "a.ppm"}).exit_code, 0);
+  expect_trouble(run({"diagnose", "a.ppm", "s.sdf"}), {"plumb diagnose s.sdf a.ppm"});
+}
+
+TEST_F(DiagnoseCommand, APictureOfAnotherSizeIsRefused) {
+  ASSERT_EQ(run({"render", "s.sdf", "--size", "40x24", "-o", "a.ppm"}).exit_code, 0);
+  expect_trouble(run({"diagnose", "s.sdf", "a.ppm"}), {"a.ppm", "40x24", "32x24", "--size 40x24"});
+  EXPECT_EQ(run({"diagnose", "s.sdf", "a.ppm", "--size", "40x24"}).exit_code, 0);
+  expect_trouble(run({"diagnose", "s.sdf", "a.ppm", "--size", "80x48"}), {"a.ppm", "40x24", "80x48"});
+  ASSERT_EQ(run({"render", "s.sdf", "--size", "64x48", "-o", "a.ppm"}).exit_code, 0);
+  EXPECT_EQ(run({"diagnose", "s.sdf", "a.ppm"}).exit_code, 0) << "the same view";
+}
+
+TEST_F(DiagnoseCommand, FaultsThatCannotBeToldApartAreListedInJsonAlone) {
+  workplace_.file("blank.sdf", replaced(ball_scene, "0 0 -3 1 red", "0 0 -3 9 red"));
+  ASSERT_EQ(run({"render", "s.sdf", "--fault", "tone-map-twice", "-o", "a.ppm"}).exit_code, 0);
+  const std::string text = run({"diagnose", "s.sdf", "a.ppm"}).out;
+  std::size_t alike = 0;
+  for (std::size_t at = text.find("\n      or "); at != std::string::npos;
+       at = text.find("\n      or ", at + 1))
+    ++alike;
+  EXPECT_LE(alike, 6U) << text;
+}
+
 TEST_F(DiagnoseCommand, AMissingPictureIsTrouble) {
   const Outcome outcome = run({"diagnose", "s.sdf", "none.ppm"});
   EXPECT_EQ(outcome.exit_code, 2);

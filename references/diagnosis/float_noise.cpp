@@ -1,0 +1,95 @@
+#include "references/diagnosis/float_noise.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "references/perturbation.hpp"
+#include "references/renderer.hpp"
+#include "tracer/scene/hierarchy.hpp"
+
+namespace plumb::references {
+namespace {
+
+/// because a tracer rounds a few times, 2^-24 each, on the way to a hit
+constexpr double rounded = 0x1p-22;
+/// because more of a shape's size would be seen
+constexpr double most_of_a_shape = 1e-3;
+
+Vec3d middle_of(const Shape& shape) {
+  if (const auto* sphere = std::get_if<Sphere>(&shape.geometry)) return sphere->center;
+  const auto* box = std::get_if<Box>(&shape.geometry);
+  return box == nullptr ? Vec3d(0) : (box->min + box->max) / 2.0;
+}
+
+double size_of(const Shape& shape) {
+  if (const auto* sphere = std::get_if<Sphere>(&shape.geometry)) return sphere->radius;
+  const auto* box = std::get_if<Box>(&shape.geometry);
+  return box == nullptr ? 0 : glm::length(box->max - box->min) / 2;
+}
+
+/// By how much float32 moves a shape, in its own space. The distance counts with its square over the size,
+/// because the discriminant of a small sphere far away is a difference of such squares.
+double step_of(const Shape& shape, const Mat4<double>& world_from_object, const Vec3d& eye) {
+  double enlargement = 0;
+  for (int axis = 0; axis < 3; ++axis)
+    enlargement = std::max(enlargement, glm::length(Vec3d(world_from_object[axis])));
+  const double size = size_of(shape);
+  const Vec3d middle(world_from_object * glm::dvec4(middle_of(shape), 1));
+  const double reach = glm::length(middle) + glm::length(middle - eye) + size * enlargement;
+  if (!(enlargement > 0) || !(size > 0) || !std::isfinite(reach)) return 0;
+  const double step = rounded * reach * (1 + reach / (size * enlargement)) / enlargement;
+  return std::min(step, most_of_a_shape * size);
+}
+
+void move(Shape& shape, double step, std::mt19937& random) {
+  std::uniform_real_distribution<double> part(-step, step);
+  const auto some = [&] { return Vec3d(part(random), part(random), part(random)); };
+  if (auto* sphere = std::get_if<Sphere>(&shape.geometry)) {
+    sphere->radius += part(random);
+    sphere->center += some();
+  } else if (auto* box = std::get_if<Box>(&shape.geometry)) {
+    box->min += some();
+    box->max = glm::max(box->min, box->max + some());
+  }
+}
+
+}  // namespace
+
+double float_error(const Scene& scene, const Camera& camera, const RenderJob& job, const Image& in_double) {
+  constexpr double least = 1e-6, most = 1e-5;
+  constexpr double other_tracer = 4;  // because another order of the same operations rounds otherwise
+  RenderJob in_float = job;
+  in_float.real = RealType::float32;
+  const Image image = render(Renderer::engine, scene, camera, in_float);
+  std::vector<double> errors(image.rgb.size());
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    const double right = in_double.rgb[i];
+    const double error = std::abs(image.rgb[i] - right) / std::max(1.0, std::abs(right));
+    errors[i] = std::isfinite(error) ? error : most;
+  }
+  const auto nine_of_ten = errors.begin() + static_cast<std::ptrdiff_t>(errors.size() * 9 / 10);
+  std::nth_element(errors.begin(), nine_of_ten, errors.end());
+  return std::clamp(other_tracer * *nine_of_ten, least, most);
+}
+
+FloatMoves::FloatMoves(const Scene& scene, const Camera& camera)
+    : scene_(with_instances_apart(scene)), steps_(scene_.shapes.size(), 0) {
+  const Vec3d eye(product_of<double>(camera.transform).matrix * glm::dvec4(camera.eye, 1));
+  for_each_instance(scene_, [&](const Instance& instance) {
+    const double step = step_of(scene_.shapes[instance.shape], instance.world_from_object.matrix, eye);
+    steps_[instance.shape] = std::max(steps_[instance.shape], step);
+  });
+}
+
+Scene FloatMoves::moved(int number) const {
+  constexpr double parts[] = {1, 0.1, 0.01};  // near an edge the least move tells the outcome best
+  Scene moved = scene_;
+  if (number == 0) return moved;
+  std::mt19937 random(static_cast<std::uint32_t>(number));
+  for (ShapeId id = 0; id < moved.shapes.size(); ++id)
+    move(moved.shapes[id], parts[number % 3] * steps_[id], random);
+  return moved;
+}
+
+}  // namespace plumb::references

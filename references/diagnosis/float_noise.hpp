@@ -1,0 +1,32 @@
+// What a right tracer that computes in float32 may be off by.
+#pragma once
+
+#include <vector>
+
+#include "tracer/image/image.hpp"
+#include "tracer/scene/render_job.hpp"
+#include "tracer/scene/scene.hpp"
+
+namespace plumb::references {
+
+/// What the colours of most pixels are off by in float32, relative above 1: from 1e-6, as `compare` allows,
+/// to 1e-5. It is measured between two renders of the picture, of which `in_double` is one. Where a scene is
+/// worse than that, its pixels are told one by one, by moves.
+double float_error(const Scene& scene, const Camera& camera, const RenderJob& job, const Image& in_double);
+
+/// Scenes that a tracer in float32 cannot tell from a given one, by number: each sphere and each face of a
+/// box is moved by what float32 rounds at its distance.
+class FloatMoves {
+ public:
+  /// The scene's instances are taken apart; see with_instances_apart().
+  FloatMoves(const Scene& scene, const Camera& camera);
+
+  /// Number 0 moves nothing.
+  Scene moved(int number) const;
+
+ private:
+  Scene scene_;
+  std::vector<double> steps_;  // in the space of each shape
+};
+
+}  // namespace plumb::references

@@ -1,0 +1,190 @@
+#include "references/diagnosis/levels.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <set>
+
+namespace plumb::references {
+namespace {
+
+constexpr float most = 255;
+constexpr int channels = 3;
+constexpr int all_levels = 256;
+
+using Values = std::set<float>;
+
+bool are_whole(const Values& values) {
+  return std::all_of(values.begin(), values.end(),
+                     [](float v) { return std::abs(v - std::round(v)) < 1e-3F; });
+}
+
+/// How coarse levels are spread over those of 8 bits: by rounding, by truncation, or as the upper bits.
+enum class Spreading { exact, rounded, truncated, upper_bits };
+
+float value_of(int step, int count, Spreading spreading) {
+  const float exact = most * static_cast<float>(step) / static_cast<float>(count - 1);
+  if (spreading == Spreading::rounded) return std::floor(exact + 0.5F);
+  if (spreading == Spreading::truncated) return std::floor(exact);
+  return spreading == Spreading::exact ? exact : static_cast<float>(step * (all_levels / count));
+}
+
+/// The step that a value stands for, if it stands for one.
+std::optional<int> step_of(float value, int count, Spreading spreading) {
+  const int guess = static_cast<int>(value / most * static_cast<float>(count - 1));
+  for (const int step : {guess - 1, guess, guess + 1, guess + 2}) {
+    if (step >= 0 && step < count && std::abs(value_of(step, count, spreading) - value) < 0.01F) return step;
+  }
+  return std::nullopt;
+}
+
+struct Coarse {
+  int count = all_levels;
+  Spreading spreading = Spreading::exact;
+};
+
+bool holds_all(const Values& values, int count, Spreading spreading) {
+  return std::all_of(values.begin(), values.end(),
+                     [&](float v) { return step_of(v, count, spreading).has_value(); });
+}
+
+/// How likely it is that values that have nothing to do with these levels lie on them. Those of another count
+/// than 8 bits have lie on them to 0.01 of 255; whole ones may lie on any of 256, spread in three ways.
+double by_chance(int count, bool is_whole, double values) {
+  const double covered = is_whole ? count / 256.0 : 0.02 * count / most;
+  return 3 * all_levels * std::pow(covered, values);
+}
+
+/// The fewest levels that hold all values, unless chance does it, too, with so few different ones.
+std::optional<Coarse> coarse_levels(const Values& values) {
+  const bool is_whole = are_whole(values);
+  const auto inner = static_cast<double>(values.size()) - static_cast<double>(values.count(0)) -
+                     static_cast<double>(values.count(most));
+  for (int count = 2; count < all_levels; ++count) {
+    if (by_chance(count, is_whole, inner) > 1e-6) return std::nullopt;  // as it is for more levels
+    for (const Spreading spreading :
+         {Spreading::exact, Spreading::rounded, Spreading::truncated, Spreading::upper_bits}) {
+      if ((spreading == Spreading::exact) == is_whole) continue;
+      if (spreading == Spreading::upper_bits && all_levels % count != 0) continue;
+      if (holds_all(values, count, spreading)) return Coarse{count, spreading};
+    }
+  }
+  return std::nullopt;
+}
+
+Values values_of(const std::vector<float>& all, std::size_t first, std::size_t stride) {
+  Values values;
+  for (std::size_t i = first; i < all.size(); i += stride) values.insert(all[i]);
+  return values;
+}
+
+/// Of each channel; one that has too few values for itself may lie on another's.
+std::array<Coarse, channels> coarse_channels(const std::vector<float>& all) {
+  std::array<Coarse, channels> found;
+  if (const auto together = coarse_levels(values_of(all, 0, 1))) {
+    found.fill(*together);
+    return found;
+  }
+  for (std::size_t c = 0; c < channels; ++c)
+    found.at(c) = coarse_levels(values_of(all, c, channels)).value_or(Coarse{});
+  for (std::size_t c = 0; c < channels; ++c) {
+    const Coarse& other = found.at((c + 1) % channels);
+    if (found.at(c).count == all_levels && other.count < all_levels &&
+        holds_all(values_of(all, c, channels), other.count, other.spreading))
+      found.at(c) = other;
+  }
+  return found;
+}
+
+void put_on_coarse_levels(SeenLevels& seen) {
+  const std::array<Coarse, channels> coarse = coarse_channels(seen.values);
+  for (std::size_t i = 0; i < seen.values.size(); ++i) {
+    const Coarse& of = coarse.at(i % channels);
+    seen.read.levels.at(i % channels) = of.count;
+    if (of.count == all_levels) continue;
+    const int step = step_of(seen.values[i], of.count, of.spreading).value_or(0);
+    seen.values[i] = value_of(step, of.count, Spreading::exact);
+  }
+}
+
+bool is_finite(const float* pixel) {
+  return std::isfinite(pixel[0]) && std::isfinite(pixel[1]) && std::isfinite(pixel[2]);
+}
+
+/// Whether the three components are 8 bits each beside the exponent of the largest, as Radiance keeps them,
+/// some read as the middle of their step.
+bool has_shared_exponent(const float* pixel) {
+  const float largest = *std::max_element(pixel, pixel + channels);
+  if (!is_finite(pixel) || largest < 0) return false;
+  int exponent = 0;
+  std::frexp(largest / most, &exponent);
+  for (int c = 0; c < channels; ++c) {
+    const float steps = std::ldexp(pixel[c] / most, 9 - exponent);
+    if (std::abs(steps - std::round(steps)) > 1e-3F) return false;
+  }
+  return true;
+}
+
+bool all_share_exponents(const std::vector<float>& all) {
+  constexpr std::size_t enough = 64;  // different values, which are on such steps by chance once in 2^1000
+  for (std::size_t i = 0; i < all.size(); i += channels) {
+    if (!has_shared_exponent(&all[i])) return false;
+  }
+  return values_of(all, 0, 1).size() >= enough;
+}
+
+void learn_floats(Sample sample, SeenLevels& seen) {
+  seen.read.is_float = true;
+  if (sample == Sample::half) seen.read.lost = 0x1p-11F;  // half a unit in the last place
+  if (sample != Sample::float32 || !all_share_exponents(seen.values)) return;
+  seen.read.shares_exponent = true;
+  seen.read.lost = 0x1p-7F;  // a whole step, where the largest has the fewest
+}
+
+void learn_integers(Sample sample, SeenLevels& seen) {
+  if (sample == Sample::bits16 && !are_whole(values_of(seen.values, 0, 1))) {
+    seen.read.levels.fill(65536);
+    return;
+  }
+  for (float& value : seen.values) {
+    if (std::abs(value - std::round(value)) < 1e-3F) value = std::round(value);
+  }
+  put_on_coarse_levels(seen);
+}
+
+/// Whether a channel beside the colours says how they are seen: alpha does, a depth does not.
+bool is_of_the_colours(const ImageFile& seen, std::size_t channel) {
+  const std::vector<std::string>& names = seen.contents.channels;
+  return names.size() <= channel || names[channel] == "A";
+}
+
+/// A pixel with an alpha that is no number has no colour.
+void spread_what_is_no_number(const ImageFile& seen, std::vector<float>& colours) {
+  const auto of_file = static_cast<std::size_t>(seen.channels);
+  for (std::size_t i = 0; i < colours.size() / channels; ++i) {
+    for (std::size_t c = 1; c < of_file; ++c) {
+      if (!std::isfinite(seen.values[of_file * i + c]) && is_of_the_colours(seen, c))
+        colours[channels * i] = std::numeric_limits<float>::quiet_NaN();
+    }
+  }
+}
+
+}  // namespace
+
+SeenLevels seen_levels(const ImageFile& seen) {
+  SeenLevels found;
+  const auto of_file = static_cast<std::size_t>(seen.channels);
+  const std::size_t pixels = of_file == 0 ? 0 : seen.values.size() / of_file;
+  found.values.resize(channels * pixels);
+  for (std::size_t i = 0; i < found.values.size(); ++i)
+    found.values[i] = most * seen.values[of_file * (i / channels) + (of_file < channels ? 0 : i % channels)];
+  spread_what_is_no_number(seen, found.values);
+  if (seen.sample == Sample::bits8 || seen.sample == Sample::bits16)
+    learn_integers(seen.sample, found);
+  else
+    learn_floats(seen.sample, found);
+  return found;
+}
+
+}  // namespace plumb::references

@@ -1,0 +1,227 @@
+#include "references/diagnosis/remains.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+#include "references/diagnosis/float_noise.hpp"
+
+namespace plumb::references {
+namespace {
+
+constexpr std::size_t channels = 3;
+/// The pixels that encodings are chosen by, evenly spread; all of most pictures.
+constexpr std::size_t most_to_choose_by = 200'000;
+constexpr int moves = 48;  // because an edge that is met in half of the moves is missed in none of 48
+/// Of so many pixels, edges are a part alone: a sample tells whether to prove each, for that takes seconds.
+constexpr std::size_t most_without_sample = 1000;
+constexpr std::size_t size_of_sample = 200;
+constexpr int moves_of_sample = 8;  // because half of the edges show in the first of them
+constexpr double most_units = 6e7;  // of Work: some 1.5 s
+/// because outcomes that are nearer, five levels, are of one surface, and what lies between them may be, too
+constexpr float one_surface = 5.0F / 255;
+
+/// What is left of a pixel's colour in its file.
+class Holding {
+ public:
+  Holding(const Evidence& evidence, const OutputEncoding& encoding)
+      : evidence_(evidence), encoding_(encoding) {}
+
+  /// Whether a colour between the two, or off by what float32 rounds, gives what is seen.
+  bool holds(const float* low, const float* high, std::size_t pixel) const {
+    const float* const seen = evidence_.seen(pixel);
+    for (std::size_t channel = 0; channel < channels; ++channel) {
+      const std::size_t from = encoding_.is_bgr ? 2 - channel : channel;
+      if (!holds(low[from], high[from], seen, channel)) return false;
+    }
+    return true;
+  }
+
+  /// The largest difference of a channel; all levels where one is no number.
+  double levels_off(const float* colour, std::size_t pixel) const {
+    const float* const seen = evidence_.seen(pixel);
+    float largest = 0;
+    for (std::size_t channel = 0; channel < channels; ++channel) {
+      const float level = encoding_.level(colour[encoding_.is_bgr ? 2 - channel : channel], channel);
+      const float off = std::abs(level - seen[channel]);
+      if (!std::isfinite(off)) return 255;
+      largest = std::max(largest, off);
+    }
+    return largest;
+  }
+
+ private:
+  bool holds(float low, float high, const float* seen, std::size_t channel) const {
+    if (!std::isfinite(low) || !std::isfinite(high) || !std::isfinite(seen[channel])) return false;
+    const float least = encoded(low, -1, seen, channel);
+    const float most = encoded(high, 1, seen, channel);
+    const float allowed = static_cast<float>(evidence_.allowed_levels());
+    return least - allowed <= seen[channel] && seen[channel] <= most + allowed;
+  }
+
+  float encoded(float colour, float sign, const float* seen, std::size_t channel) const {
+    const auto error = static_cast<float>(evidence_.colour_error()) * std::max(1.0F, std::abs(colour));
+    const float level = encoding_.unrounded(colour + sign * error);
+    return encoding_.rounded(level + sign * encoding_.slack(level, seen, channel), channel);
+  }
+
+  const Evidence& evidence_;
+  const OutputEncoding& encoding_;
+};
+
+/// Beside each encoding, the other way of truncating it.
+std::vector<OutputEncoding> all_encodings(const Evidence& evidence) {
+  std::vector<OutputEncoding> all = evidence.encodings();
+  for (const OutputEncoding& encoding : evidence.encodings()) {
+    if (encoding.is_float || encoding.rounds) continue;
+    all.push_back(encoding);
+    all.back().has_equal_parts = true;
+  }
+  return all;
+}
+
+/// Of every so many pixels, how many are not within what the encoding holds, and a little for how far they
+/// are off. It is not counted on beyond `most`.
+double cost_of(const Evidence& evidence, const Image& image, const OutputEncoding& encoding, double most) {
+  const Holding holding(evidence, encoding);
+  const std::size_t pixels = evidence.pixels_of_picture();
+  const std::size_t stride = 1 + pixels / most_to_choose_by;
+  double cost = 0;
+  for (std::size_t i = 0; i < pixels && cost < most; i += stride) {
+    const float* const colour = &image.rgb[channels * i];
+    if (!holding.holds(colour, colour, i)) cost += 1 + std::log1p(holding.levels_off(colour, i)) / 8;
+  }
+  return cost;
+}
+
+OutputEncoding best_encoding(const Evidence& evidence, const Image& image) {
+  OutputEncoding best = evidence.encodings().front();
+  double least = std::numeric_limits<double>::infinity();
+  for (const OutputEncoding& encoding : all_encodings(evidence)) {
+    const double cost = cost_of(evidence, image, encoding, least);
+    if (cost >= least) continue;
+    best = encoding;
+    least = cost;
+  }
+  return best;
+}
+
+/// A pixel that is tried, and the colours that moved scenes gave it.
+struct Suspect {
+  std::size_t pixel;
+  std::vector<std::array<float, channels>> outcomes;
+  bool is_proven = false;
+};
+
+bool are_of_one_surface(const std::array<float, channels>& a, const std::array<float, channels>& b) {
+  for (std::size_t c = 0; c < channels; ++c) {
+    const float scale = std::max({1.0F, std::abs(a[c]), std::abs(b[c])});
+    if (!(std::abs(a[c] - b[c]) <= one_surface * scale)) return false;
+  }
+  return true;
+}
+
+class Proof {
+ public:
+  Proof(const Evidence& evidence, const FaultSet& set, const OutputEncoding& encoding)
+      : evidence_(evidence), set_(set), holding_(evidence, encoding) {}
+
+  /// Takes out what is proven.
+  void prove(Remains& remains) const {
+    std::vector<Suspect> all = suspects(remains.pixels);
+    if (all.size() > most_without_sample && !is_mostly_edges(all)) return;
+    try_moves(all, moves);
+    for (const Suspect& s : all) {
+      if (!s.is_proven) continue;
+      remains.pixels.erase(std::lower_bound(remains.pixels.begin(), remains.pixels.end(), s.pixel));
+      ++remains.edges;
+    }
+  }
+
+ private:
+  std::vector<Suspect> suspects(const std::vector<std::size_t>& pixels) const {
+    std::vector<Suspect> all;
+    for (const std::size_t pixel : pixels) {
+      if (evidence_.is_finite(pixel)) all.push_back({pixel, {}, false});
+    }
+    return all;
+  }
+
+  /// Tells from an even sample.
+  bool is_mostly_edges(const std::vector<Suspect>& all) const {
+    std::vector<Suspect> sample;
+    for (std::size_t i = 0; i < size_of_sample; ++i) sample.push_back(all[i * all.size() / size_of_sample]);
+    try_moves(sample, moves_of_sample);
+    const auto proven =
+        std::count_if(sample.begin(), sample.end(), [](const Suspect& s) { return s.is_proven; });
+    return 2 * static_cast<std::size_t>(proven) > size_of_sample;
+  }
+
+  void try_moves(std::vector<Suspect>& all, int most) const {
+    Work work(most_units);
+    for (int number = 0; number < most && !work.is_over(); ++number) {
+      if (std::all_of(all.begin(), all.end(), [](const Suspect& s) { return s.is_proven; })) return;
+      trace(number, all, work);
+    }
+  }
+
+  void trace(int number, std::vector<Suspect>& all, Work& work) const {
+    std::vector<PixelPlace> places;
+    for (const Suspect& s : all) {
+      if (!s.is_proven) places.push_back(evidence_.place_of(s.pixel));
+    }
+    const std::vector<float> colours = evidence_.moved_colours(number, set_, places, work);
+    const float* colour = colours.data();
+    for (Suspect& s : all) {
+      if (s.is_proven) continue;
+      add({colour[0], colour[1], colour[2]}, s);
+      colour += channels;
+    }
+  }
+
+  void add(const std::array<float, channels>& outcome, Suspect& s) const {
+    s.is_proven = holding_.holds(outcome.data(), outcome.data(), s.pixel);
+    for (const auto& other : s.outcomes) {
+      if (s.is_proven) return;
+      if (!are_of_one_surface(outcome, other)) continue;
+      std::array<float, channels> low{}, high{};
+      for (std::size_t c = 0; c < channels; ++c)
+        std::tie(low[c], high[c]) = std::minmax(outcome[c], other[c]);
+      s.is_proven = holding_.holds(low.data(), high.data(), s.pixel);
+    }
+    s.outcomes.push_back(outcome);
+  }
+
+  const Evidence& evidence_;
+  const FaultSet& set_;
+  Holding holding_;
+};
+
+}  // namespace
+
+Remains remains_of(const Evidence& evidence, const FaultSet& set) {
+  const Image& image = evidence.picture_with(set);
+  Remains remains;
+  remains.encoding = best_encoding(evidence, image);
+  const Holding holding(evidence, remains.encoding);
+  for (std::size_t i = 0; i < evidence.pixels_of_picture(); ++i) {
+    const float* const colour = &image.rgb[channels * i];
+    if (!holding.holds(colour, colour, i)) remains.pixels.push_back(i);
+  }
+  Proof(evidence, set, remains.encoding).prove(remains);
+  return remains;
+}
+
+std::vector<bool> within(const Evidence& evidence, const FaultSet& set, const OutputEncoding& encoding,
+                         const std::vector<PixelPlace>& places) {
+  const std::vector<float> colours = evidence.colours(set, places);
+  const Holding holding(evidence, encoding);
+  std::vector<bool> all(places.size());
+  for (std::size_t i = 0; i < places.size(); ++i)
+    all[i] = holding.holds(&colours[channels * i], &colours[channels * i], evidence.index_of(places[i]));
+  return all;
+}
+
+}  // namespace plumb::references

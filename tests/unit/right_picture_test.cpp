@@ -1,0 +1,212 @@
+// Which pictures are right, and that those that are nearly right are not.
+#include <cmath>
+#include <functional>
+#include <random>
+
+#include "references/diagnosis/diagnosis.hpp"
+#include "references/renderer.hpp"
+#include "tests/support/random_scene.hpp"
+#include "tests/support/run.hpp"
+#include "tracer/scene/reader.hpp"
+
+namespace plumb::references {
+namespace {
+
+struct Subject {
+  Scene scene;
+  RenderJob job;
+};
+
+RenderJob job_of(int width, int height) {
+  RenderJob job;
+  job.width = width;
+  job.height = height;
+  job.threads = 1;
+  return job;
+}
+
+std::string text_of(const std::string& file) { return read_file(tests::source_path("tests/scenes/" + file)); }
+
+Subject scene_of(const std::string& text) { return {read_scene(text).scene, job_of(120, 90)}; }
+
+Subject random_subject(unsigned seed) {
+  const auto random = tests::random_scene(seed);
+  Subject subject{random.scene, job_of(120, 80)};
+  subject.job.options = random.options;
+  return subject;
+}
+
+Image rendered(const Subject& subject, Renderer renderer = Renderer::engine,
+               RealType real = RealType::float64) {
+  RenderJob job = subject.job;
+  job.real = real;
+  return render(renderer, subject.scene, subject.scene.cameras.front(), job);
+}
+
+/// How other people's programs write a colour.
+struct Format {
+  const char* name;
+  Sample sample;
+  std::function<float(float)> written;
+};
+
+float held(float c) { return std::clamp(c, 0.0F, 1.0F); }
+float tone(float c) { return c / (c + 1); }
+float rounded(float c, int steps) {
+  return std::floor(held(c) * static_cast<float>(steps) + 0.5F) / static_cast<float>(steps);
+}
+float truncated(float c, int steps) {
+  return std::floor(held(c) * static_cast<float>(steps)) / static_cast<float>(steps);
+}
+float gamma(float c) { return std::pow(held(c), 1 / 2.2F); }
+
+float to_half(float c) {
+  int exponent = 0;
+  const float mantissa = std::frexp(c, &exponent);
+  return std::ldexp(std::nearbyint(std::ldexp(mantissa, 11)), exponent - 11);
+}
+
+const std::vector<Format>& formats() {
+  static const std::vector<Format> all{
+      {"tone-mapped, truncated", Sample::bits8, [](float c) { return truncated(tone(c), 255); }},
+      {"rounded", Sample::bits8, [](float c) { return rounded(c, 255); }},
+      {"gamma, truncated", Sample::bits8, [](float c) { return truncated(gamma(c), 255); }},
+      {"255.99", Sample::bits8, [](float c) { return std::floor(255.99F * held(c)) / 255; }},
+      {"16 bits", Sample::bits16, [](float c) { return rounded(c, 65535); }},
+      {"half", Sample::half, to_half},
+      {"floats", Sample::float32, [](float c) { return c; }},
+      {"tone-mapped floats", Sample::float32, tone},
+  };
+  return all;
+}
+
+ImageFile written(const Image& image, const Format& format) {
+  ImageFile file;
+  file.width = image.width;
+  file.height = image.height;
+  file.channels = 3;
+  file.sample = format.sample;
+  for (const float c : image.rgb) file.values.push_back(format.written(c));
+  return file;
+}
+
+Diagnosis diagnosed(const Subject& subject, const ImageFile& file, std::optional<double> tolerance = {}) {
+  return diagnose(subject.scene, subject.scene.cameras.front(), subject.job, file, tolerance);
+}
+
+void expect_right_in_all_formats(const Subject& subject) {
+  for (const auto& [renderer, real] : {std::pair{Renderer::engine, RealType::float32},
+                                       {Renderer::textbook, RealType::float32},
+                                       {Renderer::textbook, RealType::float64}}) {
+    const Image image = rendered(subject, renderer, real);
+    for (const Format& format : formats()) {
+      const Diagnosis found = diagnosed(subject, written(image, format));
+      EXPECT_EQ(found.verdict, PictureVerdict::right)
+          << format.name << ": " << summary_of(found) << ", " << found.encoding.in_words();
+    }
+  }
+}
+
+TEST(RightPicture, OfRealTracersIsRightInEveryFormat) {
+  for (const char* file : {"combined-still-life.sdf", "nested-glass.sdf", "phong.sdf"}) {
+    SCOPED_TRACE(file);
+    expect_right_in_all_formats(scene_of(text_of(file)));
+  }
+  for (const unsigned seed : {1U, 2U, 3U}) {
+    SCOPED_TRACE(seed);
+    expect_right_in_all_formats(random_subject(seed));
+  }
+}
+
+/// A picture with one number of the scene changed.
+void expect_not_right(const std::string& file, const std::string& from, const std::string& to,
+                      const Format& format) {
+  const std::string text = text_of(file);
+  const std::size_t at = text.find(from);
+  ASSERT_NE(at, std::string::npos) << from;
+  std::string other = text;
+  other.replace(at, from.size(), to);
+  const Diagnosis found = diagnosed(scene_of(text), written(rendered(scene_of(other)), format));
+  EXPECT_NE(found.verdict, PictureVerdict::right) << to << ", " << format.name;
+  EXPECT_NE(found.verdict, PictureVerdict::faults) << to << ", " << format.name;
+  EXPECT_GT(found.unexplained_pixels, 0U);
+}
+
+TEST(RightPicture, OfAnotherNumberIsNot) {
+  for (const std::size_t format : {0U, 1U, 4U, 6U}) {
+    expect_not_right("phong.sdf", "0.8 0.8 0.7 40", "0.8 0.8 0.7 41", formats()[format]);
+    expect_not_right("phong.sdf", "define camera eye 55", "define camera eye 56", formats()[format]);
+    expect_not_right("phong.sdf", "ambient 1 1 1", "ambient 1.04 1 1", formats()[format]);
+    expect_not_right("phong.sdf", "1 1 1 1\n", "1 1 1 1.01\n", formats()[format]);
+  }
+  expect_not_right("phong.sdf", "ambient 1 1 1", "ambient 1.00002 1 1", formats()[6]);
+}
+
+TEST(RightPicture, ApartFromAShapeNamesIt) {
+  const std::string tiny = "define shape sphere tiny 0 0 -4 0.06 m2\n";
+  std::string text = text_of("phong.sdf");
+  const Subject without = scene_of(text);
+  text.insert(text.find("define light"), tiny);
+  const Diagnosis found = diagnosed(scene_of(text), written(rendered(without), formats()[0]));
+  EXPECT_EQ(found.verdict, PictureVerdict::right_apart);
+  ASSERT_EQ(found.shapes.size(), 1U);
+  EXPECT_EQ(found.shapes.front().name, "tiny");
+  EXPECT_EQ(found.shapes.front().pixels, found.unexplained_pixels);
+  EXPECT_TRUE(summary_of(found).ends_with("pixels, all on 'tiny'")) << summary_of(found);
+}
+
+TEST(RightPicture, ApartFromSomePixelsIsNotRight) {
+  const Subject subject = scene_of(text_of("combined-still-life.sdf"));
+  ImageFile file = written(rendered(subject), formats()[0]);
+  std::mt19937 random(1);
+  for (int i = 0; i < 100; ++i) file.values[random() % file.values.size()] += 3.0F / 255;
+  const Diagnosis found = diagnosed(subject, file);
+  EXPECT_EQ(found.verdict, PictureVerdict::right_apart);
+  EXPECT_GT(found.unexplained_pixels, 90U);
+  EXPECT_EQ(diagnosed(subject, file, 3.1 / 255).verdict, PictureVerdict::right);
+}
+
+TEST(RightPicture, OfFloatsIsAsNearAsTheToleranceSays) {
+  const Subject subject = scene_of(text_of("phong.sdf"));
+  ImageFile file = written(rendered(subject), formats()[6]);
+  for (float& value : file.values) value += 1e-3F;
+  EXPECT_NE(diagnosed(subject, file).verdict, PictureVerdict::right);
+  EXPECT_EQ(diagnosed(subject, file, 1.1e-3).verdict, PictureVerdict::right);
+}
+
+TEST(RightPicture, MayHaveFewerLevels) {
+  const Subject subject = scene_of(text_of("phong.sdf"));
+  const Image image = rendered(subject);
+  const auto as_8_bits = [](float c, int steps) { return std::round(255 * rounded(c, steps)) / 255; };
+  for (const int steps : {15, 31, 63, 100}) {
+    const Format exact{"", Sample::bits8, [&](float c) { return rounded(c, steps); }};
+    const Format spread{"", Sample::bits8, [&](float c) { return as_8_bits(c, steps); }};
+    const Format cut{"", Sample::bits8, [&](float c) { return truncated(tone(c), steps); }};
+    for (const Format& format : {exact, spread, cut}) {
+      const Diagnosis found = diagnosed(subject, written(image, format));
+      EXPECT_EQ(found.verdict, PictureVerdict::right) << steps << ": " << summary_of(found);
+      EXPECT_EQ(found.encoding.levels[0], steps + 1);
+    }
+  }
+}
+
+TEST(RightPicture, MayHaveOtherLevelsInEachChannel) {
+  const Subject subject = scene_of(text_of("phong.sdf"));
+  ImageFile file = written(rendered(subject), formats()[1]);
+  for (std::size_t i = 0; i < file.values.size(); ++i) {
+    const int dropped = i % 3 == 1 ? 2 : 3;  // bits, of 5, 6 and 5
+    const int byte = static_cast<int>(std::lround(255 * file.values[i]));
+    file.values[i] = static_cast<float>(byte >> dropped << dropped) / 255;
+  }
+  const Diagnosis found = diagnosed(subject, file);
+  EXPECT_EQ(found.verdict, PictureVerdict::right) << summary_of(found);
+  EXPECT_EQ(found.encoding.levels, (std::array{32, 64, 32}));
+}
+
+TEST(RightPicture, OfFewerLevelsMayStillBeWrong) {
+  const Format coarse{"", Sample::bits8, [](float c) { return rounded(c, 31); }};
+  expect_not_right("phong.sdf", "0.8 0.8 0.7 8\n", "0.8 0.8 0.7 12\n", coarse);
+}
+
+}  // namespace
+}  // namespace plumb::references
