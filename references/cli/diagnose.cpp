@@ -171,11 +171,12 @@ std::string size_text(int width, int height) { return std::to_string(width) + "x
 
 /// A picture of the same shape shows the same view, and is taken in its own size; throws for any other.
 void check_size(const Options& options, const PixelRows& seen, const references::Size& asked) {
-  const bool has_shape = options.common.size.empty() &&
-                         std::int64_t{seen.width} * asked.height == std::int64_t{seen.height} * asked.width;
-  if (has_shape || (seen.width == asked.width && seen.height == asked.height)) return;
+  if (seen.width == asked.width && seen.height == asked.height) return;
   const std::string found = size_text(seen.width, seen.height), wanted = size_text(asked.width, asked.height);
   const bool is_scenes = options.common.size.empty();
+  if (is_scenes && std::int64_t{seen.width} * asked.height == std::int64_t{seen.height} * asked.width)
+    return warn(options.image + ": " + found + " pixels show the view of the " + wanted + " that " +
+                options.scene + " asks for");
   throw std::invalid_argument(options.image + ": found " + found + " pixels, expected " + wanted +
                               (is_scenes ? " as " + options.scene + " asks for" : ", the --size") +
                               "; render it in " + wanted + ", or pass --size " + found +

@@ -117,7 +117,10 @@ Evidence::Evidence(const Scene& scene, const Camera& camera, const textbook::Ren
                    static_cast<std::size_t>(std::clamp(most_units_of_survey / units_of_pixel_, 2000.0,
                                                        static_cast<double>(pixels_of_picture()))));
   right_ = render(Renderer::engine, scene_, camera_, job_);
-  colour_error_ = known.read.is_float && tolerance ? *tolerance : float_error(scene_, camera_, job_, right_);
+  if (known.read.is_float && tolerance)
+    colour_errors_.assign(pixels_of_picture(), static_cast<float>(*tolerance));
+  else
+    colour_errors_ = float_errors(scene_, camera_, job_, right_);
   allowed_levels_ = known.read.is_float ? 0 : levels * tolerance.value_or(0);
 }
 
@@ -150,13 +153,23 @@ const Image& Evidence::picture_with(const FaultSet& set) const {
   return other_;
 }
 
+const FloatMoves& Evidence::moves() const {
+  if (!moves_) moves_ = std::make_unique<FloatMoves>(scene_, camera_);
+  return *moves_;
+}
+
+Image Evidence::moved_in_float(int number) const {
+  textbook::RenderJob in_float = job_;
+  in_float.real = RealType::float32;
+  return render(Renderer::engine, moves().moved(number), camera_, in_float);
+}
+
 std::vector<float> Evidence::moved_colours(int number, const FaultSet& set,
                                            const std::vector<PixelPlace>& places, Work& work) const {
   constexpr double units_of_shape = 50;  // to make a world of it
-  if (!moves_) moves_ = std::make_unique<FloatMoves>(scene_, camera_);
   work.spend(units_of_shape * static_cast<double>(scene_.shapes.size()));
   try {
-    return colours_with(moves_->moved(number), camera_, job_, faults_of(set), places, work);
+    return colours_with(moves().moved(number), camera_, job_, faults_of(set), places, work);
   } catch (const std::runtime_error&) {
     return std::vector<float>(3 * places.size(), std::numeric_limits<float>::infinity());
   }

@@ -41,12 +41,13 @@ std::vector<PixelPlace> spread(int width, int height, std::size_t count);
 class Evidence {
  public:
   /// All must outlive it. The job's size is the picture's. `tolerance` is in shares of 1: without it, colours
-  /// may be off by what float32 rounds (see float_error()).
+  /// may be off by what float32 rounds (see float_errors()).
   Evidence(const Scene& scene, const Camera& camera, const textbook::RenderJob& job, const ImageFile& seen,
            std::optional<double> tolerance);
 
-  /// What a right colour may be off by, relative above 1, and what a level of integers may be off by beside.
-  double colour_error() const { return colour_error_; }
+  /// What the right colour of a pixel may be off by, relative above 1, and what a level of integers may be
+  /// off by beside.
+  float colour_error(std::size_t pixel) const { return colour_errors_[pixel]; }
   double allowed_levels() const { return allowed_levels_; }
   /// Whether the picture has numbers at a pixel.
   bool is_finite(std::size_t pixel) const;
@@ -57,6 +58,8 @@ class Evidence {
   /// As colours(), of the scene as FloatMoves moves it.
   std::vector<float> moved_colours(int number, const FaultSet& set, const std::vector<PixelPlace>& places,
                                    Work& work) const;
+  /// The right picture of such a scene, by the engine in float32.
+  Image moved_in_float(int number) const;
 
   /// Whether this share of what the search may trace is traced.
   bool is_over(double share) const;
@@ -94,6 +97,7 @@ class Evidence {
   const textbook::RenderJob& job() const { return job_; }
 
  private:
+  const FloatMoves& moves() const;
   std::vector<PixelPlace> first(std::size_t most) const;
   double misfit(const std::vector<float>& unrounded, const OutputEncoding& encoding) const;
   double association(const std::vector<float>& colours) const;
@@ -108,7 +112,7 @@ class Evidence {
   double units_of_pixel_;
   std::vector<PixelPlace> survey_;
   Image right_;
-  double colour_error_ = 0;
+  std::vector<float> colour_errors_;
   double allowed_levels_ = 0;
   mutable FaultSet set_of_other_;
   mutable Image other_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include "references/perturbation.hpp"
@@ -11,8 +12,8 @@
 namespace plumb::references {
 namespace {
 
-/// because a tracer rounds a few times, 2^-24 each, on the way to a hit
-constexpr double rounded = 0x1p-22;
+/// because a tracer rounds some 32 times, 2^-24 each, on the way to a hit through composites and mirrors
+constexpr double rounded = 0x1p-19;
 /// because more of a shape's size would be seen
 constexpr double most_of_a_shape = 1e-3;
 
@@ -54,23 +55,52 @@ void move(Shape& shape, double step, std::mt19937& random) {
   }
 }
 
-}  // namespace
-
-double float_error(const Scene& scene, const Camera& camera, const RenderJob& job, const Image& in_double) {
-  constexpr double least = 1e-6, most = 1e-5;
-  constexpr double other_tracer = 4;  // because another order of the same operations rounds otherwise
-  RenderJob in_float = job;
-  in_float.real = RealType::float32;
-  const Image image = render(Renderer::engine, scene, camera, in_float);
-  std::vector<double> errors(image.rgb.size());
-  for (std::size_t i = 0; i < errors.size(); ++i) {
-    const double right = in_double.rgb[i];
-    const double error = std::abs(image.rgb[i] - right) / std::max(1.0, std::abs(right));
-    errors[i] = std::isfinite(error) ? error : most;
+/// Of the worst component of each pixel, relative above 1; infinite where one is no number.
+std::vector<float> errors_of(const Image& image, const Image& right) {
+  std::vector<float> errors(right.rgb.size() / 3, 0);
+  for (std::size_t i = 0; i < right.rgb.size(); ++i) {
+    const float error = std::abs(image.rgb[i] - right.rgb[i]) / std::max(1.0F, std::abs(right.rgb[i]));
+    float& worst = errors[i / 3];
+    worst = std::isfinite(error) ? std::max(worst, error) : std::numeric_limits<float>::infinity();
   }
+  return errors;
+}
+
+/// What nine of ten pixels are not off by.
+float most_common(std::vector<float> errors) {
   const auto nine_of_ten = errors.begin() + static_cast<std::ptrdiff_t>(errors.size() * 9 / 10);
   std::nth_element(errors.begin(), nine_of_ten, errors.end());
-  return std::clamp(other_tracer * *nine_of_ten, least, most);
+  return *nine_of_ten;
+}
+
+/// The largest of a pixel and its neighbours.
+float largest_about(const std::vector<float>& errors, int width, int height, int x, int y) {
+  float largest = 0;
+  for (int v = std::max(0, y - 1); v <= std::min(height - 1, y + 1); ++v) {
+    for (int u = std::max(0, x - 1); u <= std::min(width - 1, x + 1); ++u)
+      largest = std::max(largest, errors[static_cast<std::size_t>(v) * static_cast<std::size_t>(width) +
+                                         static_cast<std::size_t>(u)]);
+  }
+  return largest;
+}
+
+}  // namespace
+
+std::vector<float> float_errors(const Scene& scene, const Camera& camera, const RenderJob& job,
+                                const Image& in_double) {
+  constexpr float least = 1e-6F, most_everywhere = 1e-5F, most = 1e-3F;
+  constexpr float other_tracer = 4;  // because another order of the same operations rounds otherwise
+  RenderJob in_float = job;
+  in_float.real = RealType::float32;
+  const std::vector<float> errors = errors_of(render(Renderer::engine, scene, camera, in_float), in_double);
+  const float everywhere = std::clamp(other_tracer * most_common(errors), least, most_everywhere);
+  std::vector<float> allowed(errors.size());
+  for (int y = 0, i = 0; y < job.height; ++y) {
+    for (int x = 0; x < job.width; ++x, ++i)
+      allowed[static_cast<std::size_t>(i)] =
+          std::clamp(other_tracer * largest_about(errors, job.width, job.height, x, y), everywhere, most);
+  }
+  return allowed;
 }
 
 FloatMoves::FloatMoves(const Scene& scene, const Camera& camera)

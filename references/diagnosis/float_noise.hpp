@@ -9,10 +9,12 @@
 
 namespace plumb::references {
 
-/// What the colours of most pixels are off by in float32, relative above 1: from 1e-6, as `compare` allows,
-/// to 1e-5. It is measured between two renders of the picture, of which `in_double` is one. Where a scene is
-/// worse than that, its pixels are told one by one, by moves.
-double float_error(const Scene& scene, const Camera& camera, const RenderJob& job, const Image& in_double);
+/// What the colour of each pixel may be off by in float32, relative above 1, row by row: measured between two
+/// renders of the picture, of which `in_double` is one. It is at least 1e-6, as `compare` allows, or what
+/// most pixels are off by, up to 1e-5; and at most 1e-3, where the pixel or its neighbours are off by as
+/// much. What jumps by more is no matter of errors, but of moves.
+std::vector<float> float_errors(const Scene& scene, const Camera& camera, const RenderJob& job,
+                                const Image& in_double);
 
 /// Scenes that a tracer in float32 cannot tell from a given one, by number: each sphere and each face of a
 /// box is moved by what float32 rounds at its distance.

@@ -31,10 +31,9 @@ class Holding {
 
   /// Whether a colour between the two, or off by what float32 rounds, gives what is seen.
   bool holds(const float* low, const float* high, std::size_t pixel) const {
-    const float* const seen = evidence_.seen(pixel);
     for (std::size_t channel = 0; channel < channels; ++channel) {
       const std::size_t from = encoding_.is_bgr ? 2 - channel : channel;
-      if (!holds(low[from], high[from], seen, channel)) return false;
+      if (!holds(low[from], high[from], pixel, channel)) return false;
     }
     return true;
   }
@@ -53,18 +52,19 @@ class Holding {
   }
 
  private:
-  bool holds(float low, float high, const float* seen, std::size_t channel) const {
+  bool holds(float low, float high, std::size_t pixel, std::size_t channel) const {
+    const float* const seen = evidence_.seen(pixel);
     if (!std::isfinite(low) || !std::isfinite(high) || !std::isfinite(seen[channel])) return false;
-    const float least = encoded(low, -1, seen, channel);
-    const float most = encoded(high, 1, seen, channel);
+    const float least = encoded(low, -1, pixel, channel);
+    const float most = encoded(high, 1, pixel, channel);
     const float allowed = static_cast<float>(evidence_.allowed_levels());
     return least - allowed <= seen[channel] && seen[channel] <= most + allowed;
   }
 
-  float encoded(float colour, float sign, const float* seen, std::size_t channel) const {
-    const auto error = static_cast<float>(evidence_.colour_error()) * std::max(1.0F, std::abs(colour));
+  float encoded(float colour, float sign, std::size_t pixel, std::size_t channel) const {
+    const float error = evidence_.colour_error(pixel) * std::max(1.0F, std::abs(colour));
     const float level = encoding_.unrounded(colour + sign * error);
-    return encoding_.rounded(level + sign * encoding_.slack(level, seen, channel), channel);
+    return encoding_.rounded(level + sign * encoding_.slack(level, evidence_.seen(pixel), channel), channel);
   }
 
   const Evidence& evidence_;
@@ -133,6 +133,7 @@ class Proof {
     std::vector<Suspect> all = suspects(remains.pixels);
     if (all.size() > most_without_sample && !is_mostly_edges(all)) return;
     try_moves(all, moves);
+    if (set_.empty()) try_float(all);
     for (const Suspect& s : all) {
       if (!s.is_proven) continue;
       remains.pixels.erase(std::lower_bound(remains.pixels.begin(), remains.pixels.end(), s.pixel));
@@ -164,6 +165,22 @@ class Proof {
     for (int number = 0; number < most && !work.is_over(); ++number) {
       if (std::all_of(all.begin(), all.end(), [](const Suspect& s) { return s.is_proven; })) return;
       trace(number, all, work);
+    }
+  }
+
+  /// What is decided by chance deep in a tree of rays shows in float32 alone: whole pictures are rendered,
+  /// and so for a few pixels that are left.
+  void try_float(std::vector<Suspect>& all) const {
+    constexpr int pictures = 6;
+    constexpr std::ptrdiff_t few = 64;
+    for (int number = 0; number < pictures; ++number) {
+      const auto open = std::count_if(all.begin(), all.end(), [](const Suspect& s) { return !s.is_proven; });
+      if (open == 0 || open > few) return;
+      const Image image = evidence_.moved_in_float(number);
+      for (Suspect& s : all) {
+        const float* const colour = &image.rgb[channels * s.pixel];
+        if (!s.is_proven) add({colour[0], colour[1], colour[2]}, s);
+      }
     }
   }
 

@@ -18,7 +18,8 @@ struct Remains {
 ///
 /// A pixel is within what its encoding holds when a colour that is off by no more than float32 makes it, to
 /// the last level. It is proven an edge when the scene, moved by what float32 rounds (see FloatMoves) and
-/// traced again with the same faults, gives such a colour. Colours that are not finite are never either.
+/// traced again with the same faults, gives such a colour; or, rendered in float32 by the engine. Colours
+/// that are not finite are never either.
 Remains remains_of(const Evidence& evidence, const FaultSet& set);
 
 /// The same without a proof of edges, at these pixels: whether each is within what the encoding holds.

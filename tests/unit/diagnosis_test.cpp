@@ -112,6 +112,27 @@ TEST(Diagnose, APictureToneMappedOnceIsNotSaidToBeTwice) {
   EXPECT_EQ(ids_in_random_scene(51034, there), there);
 }
 
+TEST(Diagnose, FaultsThatExplainAPartSaySo) {
+  const Scene scene = scene_of("combined-still-life.sdf");
+  const Camera& camera = scene.cameras.front();
+  ImageFile picture = as_file(render_with(scene, camera, small_job(), {find_fault("ka-kd-swapped")}),
+                              plumb::Encoding::course);
+  for (std::size_t i = 3 * 1200; i < 3 * 1300; ++i) picture.values[i] = 1;
+  const Diagnosis found = diagnose(scene, camera, small_job(), picture);
+  EXPECT_EQ(found.verdict, PictureVerdict::faults);
+  EXPECT_EQ(ids_of(found), Ids{"ka-kd-swapped"});
+  EXPECT_FALSE(found.explains_all());
+  EXPECT_GE(found.unexplained_pixels, 95U);
+  EXPECT_LE(found.unexplained_pixels, 100U);
+  EXPECT_TRUE(summary_of(found).starts_with("explains a part; ")) << summary_of(found);
+}
+
+TEST(Diagnose, WhatChangesNoPixelIsNotNamed) {
+  const Diagnosis found = diagnosis_of("combined-still-life.sdf", {"pixel-corner"});
+  EXPECT_TRUE(found.explains_all());
+  for (const FoundFault& fault : found.faults) EXPECT_GT(fault.pixels, 0U) << fault.fault->id;
+}
+
 TEST(Diagnose, WhatCannotBeToldApartIsSaid) {
   const Diagnosis found = diagnosis_of("phong.sdf", {"specular-absolute"});
   ASSERT_EQ(found.faults.size(), 1U);
