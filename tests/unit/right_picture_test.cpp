@@ -133,7 +133,7 @@ void expect_not_right(const std::string& file, const std::string& from, const st
 }
 
 TEST(RightPicture, OfAnotherNumberIsNot) {
-  for (const std::size_t format : {0U, 1U, 4U, 6U}) {
+  for (const std::size_t format : {0U, 6U}) {
     expect_not_right("phong.sdf", "0.8 0.8 0.7 40", "0.8 0.8 0.7 41", formats()[format]);
     expect_not_right("phong.sdf", "define camera eye 55", "define camera eye 56", formats()[format]);
     expect_not_right("phong.sdf", "ambient 1 1 1", "ambient 1.04 1 1", formats()[format]);
