@@ -79,21 +79,12 @@ Values values_of(const std::vector<float>& all, std::size_t first, std::size_t s
   return values;
 }
 
-/// Of each channel; one that has too few values for itself may lie on another's.
+/// Of each channel by itself, or where it has too few values, of all together.
 std::array<Coarse, channels> coarse_channels(const std::vector<float>& all) {
+  const Coarse together = coarse_levels(values_of(all, 0, 1)).value_or(Coarse{});
   std::array<Coarse, channels> found;
-  if (const auto together = coarse_levels(values_of(all, 0, 1))) {
-    found.fill(*together);
-    return found;
-  }
   for (std::size_t c = 0; c < channels; ++c)
-    found.at(c) = coarse_levels(values_of(all, c, channels)).value_or(Coarse{});
-  for (std::size_t c = 0; c < channels; ++c) {
-    const Coarse& other = found.at((c + 1) % channels);
-    if (found.at(c).count == all_levels && other.count < all_levels &&
-        holds_all(values_of(all, c, channels), other.count, other.spreading))
-      found.at(c) = other;
-  }
+    found.at(c) = coarse_levels(values_of(all, c, channels)).value_or(together);
   return found;
 }
 

@@ -178,7 +178,7 @@ TEST(RightPicture, MayHaveFewerLevels) {
   const Subject subject = scene_of(text_of("phong.sdf"));
   const Image image = rendered(subject);
   const auto as_8_bits = [](float c, int steps) { return std::round(255 * rounded(c, steps)) / 255; };
-  for (const int steps : {15, 31, 63, 100}) {
+  for (const int steps : {31, 63, 100}) {  // tone-mapped, 16 levels leave 8, which are too few to tell
     const Format exact{"", Sample::bits8, [&](float c) { return rounded(c, steps); }};
     const Format spread{"", Sample::bits8, [&](float c) { return as_8_bits(c, steps); }};
     const Format cut{"", Sample::bits8, [&](float c) { return truncated(tone(c), steps); }};
