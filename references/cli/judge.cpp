@@ -1,19 +1,20 @@
 #include <algorithm>
-#include <cstdio>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <stdexcept>
 
 #include "references/cli/commands.hpp"
+#include "references/cli/judge_outputs.hpp"
 #include "references/cli/options.hpp"
 #include "references/cli/progress.hpp"
-#include "references/cli/report.hpp"
 #include "references/judging/command_line.hpp"
+#include "references/judging/interrupts.hpp"
 #include "references/judging/judging.hpp"
-#include "references/judging/overview.hpp"
+#include "references/judging/shown_text.hpp"
+#include "references/judging/shuffle.hpp"
 #include "references/process.hpp"
-#include "tracer/image/files.hpp"
 
 namespace plumb::cli {
 namespace {
@@ -24,12 +25,12 @@ constexpr std::size_t mebibyte = std::size_t{1} << 20;
 struct Options {
   std::string renderer, submissions, images, scenes;
   std::vector<std::string> readable;
-  std::string report, json, csv, junit;
+  std::optional<std::uint64_t> shuffle;
   std::size_t memory_mib = 2048, disk_mib = 64, processes = 64;
   double timeout = 10, cpu = 20;
   int jobs = 2;
-  int hint = 3;
   std::optional<double> tolerance;
+  JudgeOutputs outputs;
   SceneOptions common;
 };
 
@@ -85,7 +86,7 @@ references::JudgeOptions judge_options(const Options& options) {
   }
   judge.limits = limits_of(options);
   judge.jobs = options.jobs;
-  judge.keeps_pictures = !options.report.empty();
+  judge.keeps_pictures = !options.outputs.report.empty();
   judge.dialect = dialect_of(options.common);
   judge.render = render_options_of(options.common);
   judge.tolerance = options.tolerance;
@@ -98,58 +99,72 @@ std::vector<references::Submission> submissions_of(const Options& options) {
   return {{options.renderer, ""}};
 }
 
-/// Bytes that a terminal would obey become ?.
-std::string printable(std::string text) {
-  std::replace_if(
-      text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < ' ' || c == 127; }, '?');
-  return text;
-}
-
-void print(const references::JudgedPicture& picture, int hint) {
-  std::string why = picture.message;
-  if (picture.verdict == references::Judged::faults)
-    for (const references::FoundFault& found : picture.diagnosis->faults)
-      why += (why.empty() ? "" : "; ") + references::named(*found.fault, hint);
-  std::printf("%-18s %s  %s  %s\n", to_string(picture.verdict), printable(picture.submission).c_str(),
-              printable(picture.scene).c_str(), printable(why).c_str());
-}
-
-void check_outputs(const Options& options) {
+void check_options(const Options& options) {
   if (options.renderer.empty() == options.images.empty())
     throw std::invalid_argument("judge: --renderer or --images is required, and not both; see --help");
-  const auto to_output = [](const std::string& file) { return file == "-" ? 1 : 0; };
-  if (to_output(options.json) + to_output(options.csv) + to_output(options.junit) > 1)
-    throw std::invalid_argument("--json, --csv, --junit: found - more than once, expected a FILE");
+  if (options.shuffle && options.renderer.empty())
+    throw std::invalid_argument(
+        "--shuffle: found --images, expected --renderer: pictures that are made already show the scenes as "
+        "they are");
+  check(options.outputs);
 }
 
-void write_results(const Options& options, const std::vector<references::JudgedPicture>& all) {
-  if (!options.report.empty()) references::write_overview(options.report, all, options.hint);
-  if (!options.csv.empty()) write_file(options.csv, references::overview_csv(all, options.hint));
-  if (!options.junit.empty()) write_file(options.junit, references::overview_junit(all, options.hint));
-  if (!options.json.empty()) write_json(options.json, references::overview_json(all, options.hint));
+/// Varies the scenes when that is asked for, and says which could not be.
+references::RunFacts shuffle(const Options& options, const Dialect& dialect,
+                             std::vector<references::JudgedScene>& scenes) {
+  references::RunFacts facts;
+  facts.seed = options.shuffle;
+  if (!facts.seed) return facts;
+  Progress progress("varying the scenes");
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    progress.show(static_cast<double>(i) / static_cast<double>(scenes.size()));
+    if (auto varied = references::shuffled(scenes[i], *facts.seed, dialect))
+      scenes[i] = std::move(*varied);
+    else
+      facts.unvaried.push_back(references::shown_name(scenes[i].name));
+  }
+  progress.clear();
+  for (const std::string& scene : facts.unvaried)
+    warn("--shuffle: " + scene + " is judged as it is: no variation of it shows the same faults");
+  return facts;
+}
+
+int exit_code_of(const std::vector<references::JudgedPicture>& all) {
+  const auto any = [&](references::Judged verdict) {
+    return std::any_of(all.begin(), all.end(), [&](const auto& p) { return p.verdict == verdict; });
+  };
+  if (any(references::Judged::trouble) || any(references::Judged::not_judged)) return exit_trouble;
+  const auto is_right = [](const auto& p) { return p.verdict == references::Judged::right; };
+  return std::all_of(all.begin(), all.end(), is_right) ? exit_agrees : exit_differs;
 }
 
 int run_judge(const Options& options) {
-  check_outputs(options);
+  check_options(options);
   references::JudgeOptions judge = judge_options(options);
   const auto submissions = submissions_of(options);
-  const auto scenes = references::scenes_to_judge(options.scenes, judge.dialect);
   const std::string weaker = judge.command.empty() ? std::string() : references::limits_not_enforced();
-  if (!weaker.empty()) std::fprintf(stderr, "judge: %s\n", weaker.c_str());
+  if (!weaker.empty()) warn("judge: " + weaker);
+  auto scenes = references::scenes_to_judge(options.scenes, judge.dialect);
+  references::RunFacts facts = shuffle(options, judge.dialect, scenes);
+  const auto journal = open_journal(options.outputs);
+  facts.journal = judge.journal = journal.get();
+  const references::Interrupts interrupts;
   Progress progress("judging");
+  bool is_well = true;
   judge.progress = [&](double fraction) { progress.show(fraction); };
+  judge.stops = &references::Interrupts::came;
+  judge.complain = [&](const std::string& what) {
+    is_well = false;
+    progress.clear();
+    warn(what);
+  };
   const auto all = references::judge_all(submissions, scenes, judge);
   progress.clear();
-  const auto right = std::count_if(all.begin(), all.end(),
-                                   [](const auto& p) { return p.verdict == references::Judged::right; });
-  if (options.json != "-" && options.csv != "-" && options.junit != "-") {
-    for (const references::JudgedPicture& picture : all) print(picture, options.hint);
-    std::printf("%zu submissions, %zu scenes: %td of %zu pictures are right\n", submissions.size(),
-                scenes.size(), right, all.size());
-    say_report(options.report);
-  }
-  write_results(options, all);
-  return static_cast<std::size_t>(right) == all.size() ? exit_agrees : exit_differs;
+  print(options.outputs, all, facts);
+  is_well &= write_all(options.outputs, all, facts, scenes);
+  const int code = is_well ? exit_code_of(all) : exit_trouble;
+  if (code != exit_trouble && journal) journal->remove();
+  return code;
 }
 
 void add_what(CLI::App& app, Options& options) {
@@ -162,6 +177,11 @@ void add_what(CLI::App& app, Options& options) {
   app.add_option("--images", options.images, "pictures only: DIR/SCENE.ppm, or DIR/SUBMISSION/SCENE.ppm")
       ->type_name("DIR");
   app.add_option("--scenes", options.scenes, "the scenes, *.sdf; default: plumb's own")->type_name("DIR");
+  app.add_option(
+         "--shuffle", options.shuffle,
+         "vary positions, sizes, colours and names in the scenes, the same for the same SEED, so that "
+         "they show the same faults and nobody has seen their pictures")
+      ->type_name("SEED");
   app.add_option("--readable", options.readable,
                  "what the tracer may read beside the system's directories and its own")
       ->type_name("PATH");
@@ -185,22 +205,6 @@ void add_limits(CLI::App& app, Options& options) {
       ->capture_default_str();
 }
 
-void add_outputs(CLI::App& app, Options& options) {
-  app.add_option("--hint", options.hint, "how much is told: 1 the slide, 2 the mistake, 3 the formula, too")
-      ->type_name("LEVEL")
-      ->check(CLI::Range(1, 3))
-      ->capture_default_str();
-  app.add_option("--jobs", options.jobs, "pictures at once")
-      ->check(CLI::Range(1, 256))
-      ->capture_default_str();
-  app.add_option("--json", options.json, "write the results as JSON; - is standard output")
-      ->type_name("FILE");
-  app.add_option("--csv", options.csv, "write a line per picture; - is standard output")->type_name("FILE");
-  app.add_option("--junit", options.junit, "write the results as JUnit XML; - is standard output")
-      ->type_name("FILE");
-  add_report(app, options.report);
-}
-
 }  // namespace
 
 Command add_judge(CLI::App& plumb) {
@@ -209,7 +213,10 @@ Command add_judge(CLI::App& plumb) {
   auto options = std::make_shared<Options>();
   add_what(*app, *options);
   add_limits(*app, *options);
-  add_outputs(*app, *options);
+  add_judge_outputs(*app, options->outputs);
+  app->add_option("--jobs", options->jobs, "pictures at once")
+      ->check(CLI::Range(1, 256))
+      ->capture_default_str();
   app->add_option("--depth", options->common.depth, "recursion depth of the right picture")
       ->check(CLI::Range(1, max_depth))
       ->capture_default_str();
@@ -223,7 +230,8 @@ Command add_judge(CLI::App& plumb) {
       "         plumb judge --images pictures --scenes tests/scenes\n"
       "The picture is {image}, or the file that the scene's render line names. Programs run in bubblewrap:\n"
       "no network, nothing to write but a /tmp of their own, homes hidden. What a program does is a result.\n"
-      "Exit codes: 0 all pictures are right, 1 some are not, 2 trouble.");
+      "Ctrl-C writes what is done; the same command goes on with the rest.\n"
+      "Exit codes: 0 all pictures are right, 1 some are not, 2 trouble, or not all were judged.");
   return {app, [options] { return run_judge(*options); }};
 }
 

@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "references/judging/judging.hpp"
+#include "references/judging/shown_text.hpp"
 #include "tracer/scene/reader.hpp"
 
 namespace plumb::references {
@@ -21,7 +22,8 @@ std::vector<fs::path> entries_of(const std::string& directory) {
 
 /// A link that is handed in is not followed: it may lead to what is not the submission's.
 Submission submission_at(const fs::path& path) {
-  return {path.filename().string(), (fs::canonical(path.parent_path()) / path.filename()).string()};
+  return {shown_name(path.filename().string()),
+          (fs::canonical(path.parent_path()) / path.filename()).string()};
 }
 
 }  // namespace
@@ -32,7 +34,8 @@ std::vector<JudgedScene> scenes_to_judge(const std::string& directory, const Dia
   for (const fs::path& path : entries_of(place)) {
     if (path.extension() != ".sdf") continue;
     if (directory.empty() && path.filename().string().starts_with("combined-")) continue;
-    scenes.push_back({path.stem().string(), path.string(), load_scene(path.string(), dialect)});
+    scenes.push_back(
+        {path.stem().string(), read_text_file(path.string()), load_scene(path.string(), dialect)});
   }
   if (scenes.empty()) throw std::runtime_error(place + ": found no scene, expected *.sdf");
   return scenes;
@@ -51,7 +54,7 @@ std::vector<Submission> pictures_in(const std::string& directory) {
     if (fs::is_directory(fs::symlink_status(path))) all.push_back(submission_at(path));
   if (all.empty()) {
     const fs::path self = fs::canonical(directory);
-    all.push_back({self.filename().string(), self.string()});
+    all.push_back({shown_name(self.filename().string()), self.string()});
   }
   return all;
 }

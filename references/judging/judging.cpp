@@ -2,11 +2,20 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <mutex>
+#include <new>
+#include <stdexcept>
 #include <system_error>
+#include <thread>
+#include <utility>
 
 #include "references/in_parallel.hpp"
+#include "references/judging/interrupts.hpp"
+#include "references/judging/journal.hpp"
+#include "references/judging/result_keys.hpp"
 #include "references/judging/run_tracer.hpp"
+#include "references/judging/shown_text.hpp"
 #include "references/process.hpp"
 #include "references/renderer.hpp"
 #include "references/teaching/pages.hpp"
@@ -73,11 +82,11 @@ Judged verdict_of(PictureVerdict verdict) {
   return Judged::unexplained;
 }
 
-/// The picture as far as it is judged by its file.
-void judge_picture(const std::string& file, const JudgedScene& scene, const JudgeOptions& options,
-                   JudgedPicture& result) {
+/// The picture as far as it is judged by its file; the HTML of the pictures, when they are kept.
+std::string judge_picture(const std::string& file, const JudgedScene& scene, const JudgeOptions& options,
+                          JudgedPicture& result) {
   const std::optional<ImageFile> seen = read_picture(file, scene, result);
-  if (!seen) return;
+  if (!seen) return {};
   const RenderRequest& asked = scene.scene.renders.front();
   RenderJob job;
   job.width = asked.width;
@@ -88,46 +97,153 @@ void judge_picture(const std::string& file, const JudgedScene& scene, const Judg
   result.diagnosis = diagnose(scene.scene, camera, job, *seen, options.tolerance);
   result.verdict = verdict_of(result.diagnosis->verdict);
   result.message = summary_of(*result.diagnosis);
-  if (options.keeps_pictures)
-    result.figures =
-        figures_of(render(Renderer::engine, scene.scene, camera, job), *seen, result.diagnosis->encoding);
+  if (!options.keeps_pictures) return {};
+  return figures_of(render(Renderer::engine, scene.scene, camera, job), *seen, result.diagnosis->encoding);
 }
 
-JudgedPicture judge_one(const Submission& submission, const JudgedScene& scene, const JudgeOptions& options) {
-  JudgedPicture result;
-  result.submission = submission.name;
-  result.scene = scene.name;
+/// The HTML of the pictures, when they are kept.
+std::string judge_one(const Submission& submission, const JudgedScene& scene, const JudgeOptions& options,
+                      JudgedPicture& result) {
   const TemporaryDirectory own;
   const std::string file = options.command.empty()
                                ? picture_handed_in(submission, scene, options, own.path(), result)
                                : picture_of_run(submission, scene, options, own.path(), result);
-  if (!file.empty()) judge_picture(file, scene, options, result);
-  return result;
+  return file.empty() ? std::string() : judge_picture(file, scene, options, result);
 }
+
+void set_trouble(JudgedPicture& result, const std::string& what) {
+  result.verdict = Judged::trouble;
+  result.diagnosis.reset();
+  result.message = one_line(what);
+}
+
+/// All submissions of a class on all scenes, each pair a task.
+class Class {
+ public:
+  Class(const std::vector<Submission>& submissions, const std::vector<JudgedScene>& scenes,
+        const JudgeOptions& options)
+      : submissions_(submissions),
+        scenes_(scenes),
+        options_(options),
+        keys_(options),
+        results_(submissions.size() * scenes.size()) {
+    for (std::size_t i = 0; i < results_.size(); ++i) results_[i] = unjudged(i);
+  }
+
+  std::vector<JudgedPicture> judged() {
+    std::jthread ends_what_runs([&](const std::stop_token& is_done) {
+      while (!is_done.stop_requested()) {
+        if (options_.stops()) kill_children();
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+      }
+    });
+    in_parallel(results_.size(), options_.jobs, [&](std::size_t i) {
+      if (!options_.stops()) judge(i);
+    });
+    return std::move(results_);
+  }
+
+ private:
+  const Submission& submission(std::size_t i) const { return submissions_[i / scenes_.size()]; }
+  const JudgedScene& scene(std::size_t i) const { return scenes_[i % scenes_.size()]; }
+
+  JudgedPicture unjudged(std::size_t i) const {
+    JudgedPicture result;
+    result.submission = submission(i).name;
+    result.scene = shown_name(scene(i).name);
+    result.message = "the run was interrupted before";
+    return result;
+  }
+
+  void judge(std::size_t i) {
+    JudgedPicture result = unjudged(i);
+    result.message.clear();
+    std::string figures;
+    std::string key;
+    try {
+      if (options_.journal != nullptr) key = keys_.of(submission(i), scene(i));
+      if (take_kept(key, result)) return finish(i, std::move(result));
+      figures = judge_one(submission(i), scene(i), options_, result);
+    } catch (const std::bad_alloc&) {
+      set_trouble(result, "memory ran out");
+    } catch (const std::exception& error) {
+      set_trouble(result, error.what());
+    } catch (...) {
+      set_trouble(result, "an unknown exception");
+    }
+    if (was_interrupted(result)) return;
+    result.message = shown_text(result.message);
+    result.printed = shown_text(result.printed);
+    keep(key, result, figures);
+    finish(i, std::move(result));
+  }
+
+  bool take_kept(const std::string& key, JudgedPicture& result) const {
+    std::optional<JudgedPicture> kept;
+    if (options_.journal != nullptr) kept = options_.journal->find(key);
+    if (!kept) return false;
+    kept->submission = result.submission;
+    kept->scene = result.scene;
+    result = std::move(*kept);
+    return true;
+  }
+
+  /// Ctrl-C reaches the program that runs, too, and may end it before we know.
+  bool was_interrupted(const JudgedPicture& result) const {
+    const bool may_be = result.verdict == Judged::crashed || result.verdict == Judged::trouble;
+    if (may_be && !options_.command.empty()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    return options_.stops();
+  }
+
+  /// Trouble is not kept: the next run tries again.
+  void keep(const std::string& key, JudgedPicture& result, const std::string& figures) {
+    if (options_.journal == nullptr || result.verdict == Judged::trouble) return;
+    try {
+      options_.journal->keep(key, result, figures);
+    } catch (const std::exception& error) {
+      const std::scoped_lock lock(mutex_);
+      if (!std::exchange(has_complained_, true) && options_.complain)
+        options_.complain(std::string(error.what()) + "; results and pictures are no longer kept");
+    }
+  }
+
+  void finish(std::size_t i, JudgedPicture result) {
+    results_[i] = std::move(result);
+    const std::scoped_lock lock(mutex_);
+    ++done_;
+    if (options_.progress)
+      options_.progress(static_cast<double>(done_) / static_cast<double>(results_.size()));
+  }
+
+  const std::vector<Submission>& submissions_;
+  const std::vector<JudgedScene>& scenes_;
+  const JudgeOptions& options_;
+  ResultKeys keys_;
+  std::vector<JudgedPicture> results_;
+  std::mutex mutex_;
+  std::size_t done_ = 0;
+  bool has_complained_ = false;
+};
+
+constexpr std::array names{"right",           "right-apart",  "faults",          "unexplained",
+                           "wrong-size",      "no-image",     "unreadable",      "crashed",
+                           "timed-out",       "too-much-cpu", "too-much-memory", "too-many-processes",
+                           "too-much-output", "trouble",      "not-judged"};
 
 }  // namespace
 
-const char* to_string(Judged verdict) {
-  constexpr std::array names{"right",          "right-apart",  "faults",          "unexplained",
-                             "wrong-size",     "no-image",     "unreadable",      "crashed",
-                             "timed-out",      "too-much-cpu", "too-much-memory", "too-many-processes",
-                             "too-much-output"};
-  return names.at(static_cast<std::size_t>(verdict));
+const char* to_string(Judged verdict) { return names.at(static_cast<std::size_t>(verdict)); }
+
+Judged verdict_named(const std::string& name) {
+  const auto at = std::find(names.begin(), names.end(), name);
+  if (at == names.end()) throw std::invalid_argument("found the verdict " + name);
+  return static_cast<Judged>(at - names.begin());
 }
 
 std::vector<JudgedPicture> judge_all(const std::vector<Submission>& submissions,
                                      const std::vector<JudgedScene>& scenes, const JudgeOptions& options) {
   if (!options.command.empty() && !submissions.empty()) require_confined_runs(submissions.front(), options);
-  std::vector<JudgedPicture> results(submissions.size() * scenes.size());
-  std::mutex mutex;
-  std::size_t done = 0;
-  in_parallel(results.size(), options.jobs, [&](std::size_t i) {
-    results[i] = judge_one(submissions[i / scenes.size()], scenes[i % scenes.size()], options);
-    const std::scoped_lock lock(mutex);
-    ++done;
-    if (options.progress) options.progress(static_cast<double>(done) / static_cast<double>(results.size()));
-  });
-  return results;
+  return Class(submissions, scenes, options).judged();
 }
 
 }  // namespace plumb::references

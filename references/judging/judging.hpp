@@ -2,6 +2,7 @@
 // happens.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
@@ -13,6 +14,8 @@
 #include "tracer/scene/render_options.hpp"
 
 namespace plumb::references {
+
+class Journal;
 
 enum class Judged {
   right,
@@ -27,15 +30,20 @@ enum class Judged {
   too_much_cpu,
   too_much_memory,
   too_many_processes,
-  too_much_output
+  too_much_output,
+  trouble,    ///< ours, with this picture alone: it says nothing about the submission
+  not_judged  ///< the run was interrupted before
 };
 
 /// As the reports say it, e.g. "too-much-output".
 const char* to_string(Judged verdict);
 
+/// The verdict of that name. Throws std::invalid_argument when there is none.
+Judged verdict_named(const std::string& name);
+
 struct JudgedScene {
   std::string name;  ///< of the file, without .sdf
-  std::string path;
+  std::string text;  ///< what a program is given
   Scene scene;
 };
 
@@ -44,15 +52,21 @@ struct Submission {
   std::string path;  ///< {submission}, absolute, or the directory of its pictures; may be empty
 };
 
+/// Where a journal keeps a result; of size 0 when it does not.
+struct KeptLine {
+  std::uint64_t at = 0;
+  std::size_t size = 0;
+};
+
 struct JudgedPicture {
   std::string submission;
   std::string scene;
-  Judged verdict = Judged::no_image;
+  Judged verdict = Judged::not_judged;
   std::string message;                 ///< one line; empty when there is a diagnosis
   std::string printed;                 ///< by the program
   double wall_seconds = 0;             ///< of the program
   std::optional<Diagnosis> diagnosis;  ///< when there was a picture of the right size
-  std::string figures;                 ///< HTML of ours, theirs and the difference, when they are kept
+  KeptLine kept;                       ///< the pictures are there, too
 };
 
 struct JudgeOptions {
@@ -61,11 +75,14 @@ struct JudgeOptions {
   std::vector<std::string> readable;  ///< paths that a program may read in the hidden places
   SandboxLimits limits;
   int jobs = 2;
-  bool keeps_pictures = false;
+  bool keeps_pictures = false;  ///< in the journal, so that memory does not hold them
   Dialect dialect;
   RenderOptions render;
-  std::optional<double> tolerance;       ///< as in diagnose()
-  std::function<void(double)> progress;  ///< from one thread at a time
+  std::optional<double> tolerance;                     ///< as in diagnose()
+  Journal* journal = nullptr;                          ///< may be null
+  std::function<void(double)> progress;                ///< from one thread at a time
+  std::function<void(const std::string&)> complain;    ///< of trouble with the journal; likewise
+  std::function<bool()> stops = [] { return false; };  ///< asked often; true: no more are begun
 };
 
 /// The scenes of a directory, *.sdf, by name; those of plumb itself when it is empty. Throws
@@ -78,8 +95,8 @@ std::vector<Submission> submissions_in(const std::string& directory);
 /// The submissions of a directory of pictures: its directories; itself, when it has none.
 std::vector<Submission> pictures_in(const std::string& directory);
 
-/// All submissions on all scenes, by submission, then by scene. Throws std::runtime_error only for trouble of
-/// ours, e.g. when nothing can be confined.
+/// All submissions on all scenes, by submission, then by scene. Whatever goes wrong with one is its verdict,
+/// and the others keep theirs. Throws std::runtime_error only when nothing can be confined.
 std::vector<JudgedPicture> judge_all(const std::vector<Submission>& submissions,
                                      const std::vector<JudgedScene>& scenes, const JudgeOptions& options);
 

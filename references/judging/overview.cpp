@@ -1,5 +1,6 @@
 #include "references/judging/overview.hpp"
 
+#include <algorithm>
 #include <map>
 
 #include "references/diagnosis/json.hpp"
@@ -49,14 +50,23 @@ std::string named(const Fault& fault, HintLevel hint) {
   return std::string(fault.id) + ": " + std::string(fault.explanation);
 }
 
-Json overview_json(const std::vector<JudgedPicture>& all, HintLevel hint) {
+std::size_t judged_count(const std::vector<JudgedPicture>& all) {
+  return static_cast<std::size_t>(std::count_if(
+      all.begin(), all.end(), [](const JudgedPicture& p) { return p.verdict != Judged::not_judged; }));
+}
+
+Json overview_json(const std::vector<JudgedPicture>& all, HintLevel hint, const RunFacts& facts) {
   std::map<std::string, std::size_t> counts;
   Json pictures = Json::array();
   for (const JudgedPicture& picture : all) {
     ++counts[to_string(picture.verdict)];
     pictures.push_back(picture_json(picture, hint));
   }
-  return {{"tool", "plumb"}, {"version", PLUMB_VERSION}, {"verdicts", counts}, {"pictures", pictures}};
+  Json json{{"tool", "plumb"}, {"version", PLUMB_VERSION}, {"complete", judged_count(all) == all.size()}};
+  if (facts.seed) json["shuffle"] = {{"seed", *facts.seed}, {"unvaried", facts.unvaried}};
+  json["verdicts"] = counts;
+  json["pictures"] = pictures;
+  return json;
 }
 
 std::string overview_csv(const std::vector<JudgedPicture>& all, HintLevel hint) {
@@ -76,7 +86,8 @@ std::string overview_junit(const std::vector<JudgedPicture>& all, HintLevel hint
     one.name = picture.submission + "/" + picture.scene;
     one.seconds = picture.wall_seconds;
     if (picture.verdict != Judged::right) {
-      one.outcome = JunitCase::Outcome::failed;
+      const bool says_nothing = picture.verdict == Judged::trouble || picture.verdict == Judged::not_judged;
+      one.outcome = says_nothing ? JunitCase::Outcome::error : JunitCase::Outcome::failed;
       const std::string faults = fault_list(picture, hint);
       const std::string why =
           picture.message + (picture.message.empty() || faults.empty() ? "" : "; ") + faults;

@@ -1,10 +1,13 @@
 // A class of tracers at a glance: JSON, CSV, JUnit, and pages.
 #pragma once
 
+#include <cstdint>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "references/judging/journal.hpp"
 #include "references/judging/judging.hpp"
 
 namespace plumb::references {
@@ -15,16 +18,28 @@ using HintLevel = int;
 /// What a fault is called at that level, in one line.
 std::string named(const Fault& fault, HintLevel hint);
 
-nlohmann::ordered_json overview_json(const std::vector<JudgedPicture>& all, HintLevel hint);
+/// What holds for a run as a whole.
+struct RunFacts {
+  std::optional<std::uint64_t> seed;  ///< of --shuffle
+  std::vector<std::string> unvaried;  ///< scenes that were judged as they are in spite of it
+  const Journal* journal = nullptr;   ///< holds the pictures; may be null
+};
+
+/// How many have a verdict.
+std::size_t judged_count(const std::vector<JudgedPicture>& all);
+
+nlohmann::ordered_json overview_json(const std::vector<JudgedPicture>& all, HintLevel hint,
+                                     const RunFacts& facts = {});
 
 /// A line per picture, RFC 4180; a cell that a spreadsheet would take for a formula gets a ' before it.
 std::string overview_csv(const std::vector<JudgedPicture>& all, HintLevel hint);
 
-/// A suite with a case per picture.
+/// A suite with a case per picture; trouble and what was not judged are errors, not failures.
 std::string overview_junit(const std::vector<JudgedPicture>& all, HintLevel hint);
 
 /// Writes index.html, a page per submission, and at level 3 faults.html with a lesson on each fault found.
 /// Throws std::runtime_error.
-void write_overview(const std::string& directory, const std::vector<JudgedPicture>& all, HintLevel hint);
+void write_overview(const std::string& directory, const std::vector<JudgedPicture>& all, HintLevel hint,
+                    const RunFacts& facts = {});
 
 }  // namespace plumb::references

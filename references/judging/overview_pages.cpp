@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <set>
@@ -19,6 +20,7 @@ td,.tag{color:#1c1c1c}td a{color:inherit;text-decoration:none;display:block}td a
 td small{display:block;opacity:.85;max-width:22rem}.tag{padding:.1rem .5rem;border-radius:.25rem}
 .right{background:#bfe8d6}.faults{background:#ffe3a3}.unexplained{background:#f3c9df}
 .wrong-size,.no-image,.unreadable{background:#d6e4f5}
+.trouble,.not-judged{background:#dcdcdc}
 .crashed,.timed-out,.too-much-cpu,.too-much-memory,.too-many-processes,.too-much-output{background:#f0b9a0}
 .pictures{max-width:64rem}pre{background:var(--raised);padding:.6rem;overflow:auto;max-height:14rem;white-space:pre-wrap}
 )";
@@ -53,7 +55,16 @@ std::string tag(Judged verdict) {
   return "<span class=\"tag " + name + "\">" + name + "</span>";
 }
 
-std::string section(const JudgedPicture& picture, HintLevel hint) {
+/// A page is worth having without its pictures.
+std::string figures_of(const JudgedPicture& picture, const Journal* journal) {
+  try {
+    return journal == nullptr ? std::string() : journal->figures_of(picture);
+  } catch (const std::exception& error) {
+    return "<p>The pictures are lost: " + html_escaped(error.what()) + "</p>";
+  }
+}
+
+std::string section(const JudgedPicture& picture, HintLevel hint, const Journal* journal) {
   std::string text = "<h2 id=\"" + html_escaped(picture.scene) + "\">" + html_escaped(picture.scene) + " " +
                      tag(picture.verdict) + "</h2>\n";
   if (!picture.message.empty()) text += "<p>" + html_escaped(picture.message) + "</p>\n";
@@ -65,7 +76,8 @@ std::string section(const JudgedPicture& picture, HintLevel hint) {
       for (const FoundFault& found : picture.diagnosis->faults) text += fault_text(found, hint);
     }
   }
-  if (!picture.figures.empty()) text += "<div class=pictures>" + picture.figures + "</div>\n";
+  const std::string figures = figures_of(picture, journal);
+  if (!figures.empty()) text += "<div class=pictures>" + figures + "</div>\n";
   if (!picture.printed.empty()) text += "<pre>" + html_escaped(picture.printed) + "</pre>\n";
   return text;
 }
@@ -88,6 +100,19 @@ std::string summary(const std::vector<JudgedPicture>& all) {
   for (const JudgedPicture& picture : all) ++counts[picture.verdict];
   std::string text = "<p>";
   for (const auto& [verdict, count] : counts) text += tag(verdict) + " " + std::to_string(count) + " &ensp; ";
+  text += "</p>\n";
+  if (const std::size_t done = judged_count(all); done != all.size())
+    text += "<p>The run was interrupted: " + std::to_string(all.size() - done) + " of " +
+            std::to_string(all.size()) + " pictures were not judged. The same command goes on.</p>\n";
+  return text;
+}
+
+std::string shuffle_text(const RunFacts& facts) {
+  if (!facts.seed) return {};
+  std::string text = "<p>The scenes are varied: --shuffle " + std::to_string(*facts.seed) +
+                     "; they are in the report's directory scenes.";
+  if (!facts.unvaried.empty()) text += " Judged as they are, for no variation shows the same faults:";
+  for (const std::string& name : facts.unvaried) text += " " + html_escaped(name);
   return text + "</p>\n";
 }
 
@@ -111,45 +136,78 @@ std::string lessons(const std::vector<JudgedPicture>& all) {
 /// Numbered, so that no name of a submission becomes one of a file.
 std::string page_name(std::size_t number) { return "submission-" + std::to_string(number + 1) + ".html"; }
 
+/// One submission: its row in the table and its page.
+struct Row {
+  const JudgedPicture* begin;
+  const JudgedPicture* end;
+  std::string file;
+
+  std::string score() const {
+    const auto right =
+        std::count_if(begin, end, [](const JudgedPicture& p) { return p.verdict == Judged::right; });
+    return std::to_string(right) + " of " + std::to_string(end - begin) + " right";
+  }
+};
+
+std::vector<Row> rows_of(const std::vector<JudgedPicture>& all) {
+  std::vector<Row> rows;
+  const JudgedPicture* const end = all.data() + all.size();
+  for (const JudgedPicture* at = all.data(); at != end; at = rows.back().end) {
+    const auto* next =
+        std::find_if(at, end, [&](const JudgedPicture& p) { return p.submission != at->submission; });
+    rows.push_back({at, next, page_name(rows.size())});
+  }
+  return rows;
+}
+
+std::string table_row(const Row& row, HintLevel hint) {
+  std::string text = "<tr><th><a href=\"" + row.file + "\">" + html_escaped(row.begin->submission) +
+                     "</a><br><small>" + row.score() + "</small></th>";
+  for (const JudgedPicture* at = row.begin; at != row.end; ++at) text += cell(*at, row.file, hint);
+  return text + "</tr>\n";
+}
+
+std::string page_of(const Row& row, HintLevel hint, const RunFacts& facts) {
+  std::string body =
+      "<p><a href=\"index.html\">all submissions</a></p><p>" + row.score() + "</p>\n" + shuffle_text(facts);
+  for (const JudgedPicture* at = row.begin; at != row.end; ++at) body += section(*at, hint, facts.journal);
+  return teaching::page(row.begin->submission, body, style);
+}
+
+std::string table_of(const std::vector<Row>& rows, HintLevel hint) {
+  std::string text = "<table><thead><tr><th>submission</th>";
+  if (!rows.empty()) {
+    for (const JudgedPicture* at = rows.front().begin; at != rows.front().end; ++at)
+      text += "<th>" + html_escaped(at->scene) + "</th>";
+  }
+  text += "</tr></thead><tbody>\n";
+  for (const Row& row : rows) text += table_row(row, hint);
+  return text + "</tbody></table>\n";
+}
+
+/// Lessons show formulas, which are told at the last level alone: an earlier run's are taken away.
+void write_lessons(const std::filesystem::path& file, const std::vector<JudgedPicture>& all, HintLevel hint) {
+  const std::string text = hint >= 3 ? lessons(all) : "";
+  if (text.empty()) {
+    std::filesystem::remove(file);
+    return;
+  }
+  write_file(file,
+             teaching::page("What was found", "<p><a href=\"index.html\">all submissions</a></p>\n" + text));
+}
+
 }  // namespace
 
-void write_overview(const std::string& directory, const std::vector<JudgedPicture>& all, HintLevel hint) {
+void write_overview(const std::string& directory, const std::vector<JudgedPicture>& all, HintLevel hint,
+                    const RunFacts& facts) {
   const std::filesystem::path folder(directory);
   std::filesystem::create_directories(folder);
-  std::string head = "<tr><th>submission</th>";
-  std::string rows;
-  std::size_t number = 0;
-  for (std::size_t begin = 0, end = 0; begin < all.size(); begin = end, ++number) {
-    const std::string& name = all[begin].submission;
-    std::string row;
-    std::string sections;
-    std::size_t right = 0;
-    for (end = begin; end < all.size() && all[end].submission == name; ++end) {
-      if (number == 0) head += "<th>" + html_escaped(all[end].scene) + "</th>";
-      row += cell(all[end], page_name(number), hint);
-      sections += section(all[end], hint);
-      right += all[end].verdict == Judged::right ? 1 : 0;
-    }
-    const std::string score = std::to_string(right) + " of " + std::to_string(end - begin) + " right";
-    const std::string file = page_name(number);
-    rows.append("<tr><th><a href=\"").append(file).append("\">").append(html_escaped(name));
-    rows.append("</a><br><small>").append(score).append("</small></th>").append(row).append("</tr>\n");
-    std::string body = "<p><a href=\"index.html\">all submissions</a></p><p>";
-    body.append(score).append("</p>\n").append(sections);
-    write_file(folder / file, teaching::page(name, body, style));
-  }
-  // Lessons show formulas, which are told at the last level alone: an earlier run's are taken away.
-  const std::string text = hint >= 3 ? lessons(all) : "";
-  if (text.empty())
-    std::filesystem::remove(folder / lessons_page);
-  else
-    write_file(
-        folder / lessons_page,
-        teaching::page("What was found", "<p><a href=\"index.html\">all submissions</a></p>\n" + text));
-  write_file(folder / "index.html", teaching::page("Tracers judged by plumb",
-                                                   summary(all) + "<table><thead>" + head +
-                                                       "</tr></thead><tbody>\n" + rows + "</tbody></table>\n",
-                                                   style));
+  const std::vector<Row> rows = rows_of(all);
+  for (const Row& row : rows) write_file(folder / row.file, page_of(row, hint, facts));
+  write_lessons(folder / lessons_page, all, hint);
+  write_file(folder / "index.html",
+             teaching::page("Tracers judged by plumb",
+                            summary(all) + shuffle_text(facts) + table_of(rows, hint), style));
 }
 
 }  // namespace plumb::references

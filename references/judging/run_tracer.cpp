@@ -2,9 +2,12 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <stdexcept>
 
 #include "references/judging/collect.hpp"
 #include "references/judging/command_line.hpp"
+#include "references/judging/no_picture.hpp"
+#include "references/judging/shown_text.hpp"
 #include "references/process.hpp"
 #include "tracer/image/files.hpp"
 #include "tracer/image/format.hpp"
@@ -76,6 +79,10 @@ bool ended_badly(const SandboxRun& run, JudgedPicture& result) {
   if (run.ending != Ending::finished) {
     result.verdict = verdict_of(run.ending);
     result.message = "stopped at a limit after " + std::to_string(run.wall_seconds).substr(0, 4) + " s";
+    const std::string kind =
+        run.ending == Ending::too_much_output ? printed_image(run.printed) : std::string();
+    if (!kind.empty())
+      result.message += "; a picture was printed to standard output as " + kind + ", expected it in {image}";
   } else if (!run.not_executed.empty()) {
     result.verdict = Judged::crashed;
     result.message = "cannot be executed: " + run.not_executed +
@@ -87,17 +94,21 @@ bool ended_badly(const SandboxRun& run, JudgedPicture& result) {
   return !result.message.empty();
 }
 
-void say_why_none(Found found, int exit_code, JudgedPicture& result) {
+/// `what_else` is said where there is nothing at all.
+void say_why_none(Found found, int exit_code, const std::string& what_else, JudgedPicture& result) {
   result.verdict = Judged::no_image;
-  result.message = "no picture was written";
-  if (found == Found::not_a_file) {
+  result.message = what_else;
+  if (found == Found::forbidden) {
+    result.verdict = Judged::unreadable;
+    result.message = "the picture's file forbids that it is read";
+  } else if (found == Found::not_a_file) {
     result.message = "a link, a pipe or a directory stands where the picture should be";
   } else if (found == Found::too_large) {
     result.verdict = Judged::too_much_output;
     result.message = "the picture's file is larger than allowed";
   } else if (exit_code != 0) {
     result.verdict = Judged::crashed;
-    result.message = "exit code " + std::to_string(exit_code) + " and no picture";
+    result.message = "exit code " + std::to_string(exit_code) + " and no picture: " + what_else;
   }
 }
 
@@ -123,20 +134,24 @@ std::string picture_of_run(const Submission& submission, const JudgedScene& scen
                            JudgedPicture& result) {
   const TemporaryDirectory work;
   const std::string inside = std::string(sandbox_directory) + "/" + scene.name;
-  write_file(work.path() + "/" + scene.name + ".sdf", read_file(scene.path));
+  const std::string scene_file = scene.name + ".sdf";
+  write_file(work.path() + "/" + scene_file, scene.text);
   const auto command =
       substituted(options.command,
                   {{"scene", inside + ".sdf"}, {"image", inside + ".ppm"}, {"submission", submission.path}});
   const SandboxRun run = run_confined(command, view_for(submission, options, work.path()), options.limits);
   if (ended_badly(run, result)) return {};
   Found found = Found::nothing;
-  for (const std::string& name : {scene.name + ".ppm", name_in_scene(scene)}) {
+  const std::vector<std::string> names{scene.name + ".ppm", name_in_scene(scene)};
+  for (const std::string& name : names) {
     const std::string target = target_in(own_directory, name);
     found = take_file(run.directory(), name, options.limits.disk_bytes, target);
     if (found == Found::picture) return target;
     if (found != Found::nothing) break;
   }
-  say_why_none(found, run.exit_code, result);
+  const std::string expected = shown_name(names[0] == names[1] ? names[0] : names[0] + " or " + names[1]);
+  say_why_none(found, run.exit_code,
+               why_no_picture(run.printed, files_left_in(run.directory(), scene_file), expected), result);
   return {};
 }
 
@@ -144,15 +159,27 @@ std::string picture_handed_in(const Submission& submission, const JudgedScene& s
                               const JudgeOptions& options, const std::string& own_directory,
                               JudgedPicture& result) {
   Found found = Found::nothing;
-  for (const char* extension : {".ppm", ".png", ".pfm", ".exr", ".tif", ".tiff", ".jpg", ".bmp", ".tga"}) {
+  for (const char* extension :
+       {".ppm", ".png", ".pfm", ".exr", ".tif", ".tiff", ".jpg", ".jpeg", ".bmp", ".tga", ".hdr"}) {
     const std::string target = target_in(own_directory, scene.name + extension);
     found = take_file(submission.path, scene.name + extension, options.limits.disk_bytes, target);
     if (found == Found::picture) return target;
     if (found != Found::nothing) break;
   }
-  say_why_none(found, 0, result);
-  if (found == Found::nothing) result.message = "no picture " + scene.name + ".ppm, .png, ... was handed in";
+  if (found == Found::forbidden)
+    throw std::runtime_error(submission.path + ": we may not read it; chmod -R u+rX, or judge as its owner");
+  say_why_none(found, 0, "no picture " + shown_name(scene.name) + ".ppm, .png, ... was handed in", result);
   return {};
+}
+
+std::vector<std::string> files_of_command(const JudgeOptions& options) {
+  std::vector<std::string> files = options.readable;
+  std::error_code none;
+  for (const std::string& word : options.command) {
+    allow(word, options, files);
+    if (word.starts_with("/") && fs::is_regular_file(word, none)) files.push_back(word);
+  }
+  return files;
 }
 
 }  // namespace plumb::references

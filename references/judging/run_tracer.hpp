@@ -21,4 +21,7 @@ std::string picture_handed_in(const Submission& submission, const JudgedScene& s
                               const JudgeOptions& options, const std::string& own_directory,
                               JudgedPicture& result);
 
+/// What the command's words and --readable let every run see, beside its submission.
+std::vector<std::string> files_of_command(const JudgeOptions& options);
+
 }  // namespace plumb::references

@@ -1,0 +1,153 @@
+#include "references/cli/judge_outputs.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <functional>
+#include <set>
+#include <stdexcept>
+
+#include "references/cli/options.hpp"
+#include "references/cli/report.hpp"
+#include "tracer/image/files.hpp"
+
+namespace plumb::cli {
+namespace {
+
+using references::Judged;
+using references::JudgedPicture;
+
+/// Bytes that a terminal would obey become ?.
+std::string printable(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < ' ' || c == 127; }, '?');
+  return text;
+}
+
+void print(const JudgedPicture& picture, int hint) {
+  std::string why = picture.message;
+  if (picture.verdict == Judged::faults)
+    for (const references::FoundFault& found : picture.diagnosis->faults)
+      why += (why.empty() ? "" : "; ") + references::named(*found.fault, hint);
+  std::printf("%-18s %s  %s  %s\n", to_string(picture.verdict), printable(picture.submission).c_str(),
+              printable(picture.scene).c_str(), printable(why).c_str());
+}
+
+bool says_on_terminal(const JudgeOutputs& outputs) {
+  return outputs.json != "-" && outputs.csv != "-" && outputs.junit != "-";
+}
+
+/// What is no place for another file beside it: a pipe, a device, standard output.
+bool is_special(const std::string& path) {
+  std::error_code none;
+  return path == "-" || path.starts_with("/dev/") || path.starts_with("/proc/") ||
+         std::filesystem::is_other(path, none);
+}
+
+/// In the report, or beside the first output that is a file.
+std::string journal_path(const JudgeOutputs& outputs) {
+  if (!outputs.resume.empty()) return outputs.resume;
+  if (!outputs.report.empty()) return (std::filesystem::path(outputs.report) / "judged.jsonl").string();
+  for (const std::string& path : {outputs.json, outputs.csv, outputs.junit})
+    if (!path.empty() && !is_special(path)) return path + ".judged.jsonl";
+  return {};
+}
+
+void write_scenes(const std::filesystem::path& folder, const std::vector<references::JudgedScene>& scenes) {
+  std::filesystem::create_directories(folder);
+  for (const references::JudgedScene& scene : scenes) write_file(folder / (scene.name + ".sdf"), scene.text);
+}
+
+void print_summary(const JudgeOutputs& outputs, const std::vector<JudgedPicture>& all,
+                   const references::RunFacts& facts) {
+  for (const std::string& scene : facts.unvaried)
+    std::printf("%s is judged as it is: no variation of it shows the same faults\n",
+                printable(scene).c_str());
+  if (facts.seed)
+    std::printf("scenes varied by --shuffle %llu\n", static_cast<unsigned long long>(*facts.seed));
+  std::set<std::string> submissions;
+  for (const JudgedPicture& picture : all) submissions.insert(picture.submission);
+  const auto right =
+      std::count_if(all.begin(), all.end(), [](const auto& p) { return p.verdict == Judged::right; });
+  std::printf("%zu submissions, %zu scenes: %td of %zu pictures are right\n", submissions.size(),
+              all.size() / submissions.size(), right, all.size());
+  if (const std::size_t done = references::judged_count(all); done != all.size())
+    std::printf("interrupted: %zu of %zu pictures were not judged; the same command goes on\n",
+                all.size() - done, all.size());
+  say_report(outputs.report);
+}
+
+bool is_written(const std::string& file, const std::function<void()>& write) {
+  if (file.empty()) return true;
+  try {
+    write();
+    return true;
+  } catch (const std::exception& error) {
+    warn(error.what());
+    return false;
+  }
+}
+
+}  // namespace
+
+void add_judge_outputs(CLI::App& app, JudgeOutputs& outputs) {
+  app.add_option("--hint", outputs.hint, "how much is told: 1 the slide, 2 the mistake, 3 the formula, too")
+      ->type_name("LEVEL")
+      ->check(CLI::Range(1, 3))
+      ->capture_default_str();
+  app.add_option("--json", outputs.json, "write the results as JSON; - is standard output")
+      ->type_name("FILE");
+  app.add_option("--csv", outputs.csv, "write a line per picture; - is standard output")->type_name("FILE");
+  app.add_option("--junit", outputs.junit, "write the results as JUnit XML; - is standard output")
+      ->type_name("FILE");
+  add_report(app, outputs.report);
+  app.add_option(
+         "--resume", outputs.resume,
+         "keep results here as they come; an interrupted run goes on from it, and judges anew what has "
+         "changed; default: DIR/judged.jsonl of the report, else beside the first FILE")
+      ->type_name("FILE");
+}
+
+void check(const JudgeOutputs& outputs) {
+  const std::array files{outputs.json, outputs.csv, outputs.junit};
+  if (std::count(files.begin(), files.end(), "-") > 1)
+    throw std::invalid_argument("--json, --csv, --junit: found - more than once, expected a FILE");
+}
+
+std::unique_ptr<references::Journal> open_journal(const JudgeOutputs& outputs) {
+  const std::string path = journal_path(outputs);
+  if (path.empty()) return nullptr;
+  if (!outputs.report.empty()) std::filesystem::create_directories(outputs.report);
+  auto journal = std::make_unique<references::Journal>(path);
+  if (journal->found() > 0)
+    warn("going on with " + path + ": an earlier run left " + std::to_string(journal->found()) +
+         " results there; those whose inputs have not changed are taken");
+  return journal;
+}
+
+bool write_all(const JudgeOutputs& outputs, const std::vector<JudgedPicture>& all,
+               const references::RunFacts& facts, const std::vector<references::JudgedScene>& scenes) {
+  const int hint = outputs.hint;
+  bool is_well = is_written(outputs.report, [&] {
+    references::write_overview(outputs.report, all, hint, facts);
+    if (facts.seed) write_scenes(std::filesystem::path(outputs.report) / "scenes", scenes);
+  });
+  is_well &= is_written(outputs.csv, [&] { write_file(outputs.csv, references::overview_csv(all, hint)); });
+  is_well &=
+      is_written(outputs.junit, [&] { write_file(outputs.junit, references::overview_junit(all, hint)); });
+  is_well &= is_written(outputs.json,
+                        [&] { write_json(outputs.json, references::overview_json(all, hint, facts)); });
+  return is_well;
+}
+
+void print(const JudgeOutputs& outputs, const std::vector<JudgedPicture>& all,
+           const references::RunFacts& facts) {
+  if (!says_on_terminal(outputs)) return;
+  for (const JudgedPicture& picture : all) {
+    if (picture.verdict != Judged::not_judged) print(picture, outputs.hint);
+  }
+  print_summary(outputs, all, facts);
+}
+
+}  // namespace plumb::cli

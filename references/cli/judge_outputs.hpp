@@ -1,0 +1,38 @@
+// Where `plumb judge` writes its results, and keeps them until then.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "references/judging/overview.hpp"
+
+namespace plumb::cli {
+
+struct JudgeOutputs {
+  std::string report, json, csv, junit;
+  std::string resume;  ///< the journal; empty: in the report, or beside the first of those that are files
+  int hint = 3;
+};
+
+/// --hint --report --json --csv --junit --resume
+void add_judge_outputs(CLI::App& app, JudgeOutputs& outputs);
+
+/// Throws std::invalid_argument when two go to standard output.
+void check(const JudgeOutputs& outputs);
+
+/// Opens the journal, and says what of an earlier run is in it. Null when nothing is written to a file.
+/// Throws std::runtime_error.
+std::unique_ptr<references::Journal> open_journal(const JudgeOutputs& outputs);
+
+/// Each is written though another cannot be, which is said on standard error. True when all are. Varied
+/// scenes are put beside the report.
+bool write_all(const JudgeOutputs& outputs, const std::vector<references::JudgedPicture>& all,
+               const references::RunFacts& facts, const std::vector<references::JudgedScene>& scenes);
+
+/// The table for the terminal; nothing when a result goes to standard output.
+void print(const JudgeOutputs& outputs, const std::vector<references::JudgedPicture>& all,
+           const references::RunFacts& facts);
+
+}  // namespace plumb::cli

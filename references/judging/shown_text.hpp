@@ -1,0 +1,14 @@
+// What other people named or printed, as text that every output can hold.
+#pragma once
+
+#include <string>
+
+namespace plumb::references {
+
+/// A file's name; in one that is no UTF-8 each byte beyond ASCII is written \xNN.
+std::string shown_name(const std::string& bytes);
+
+/// What is no UTF-8 becomes U+FFFD.
+std::string shown_text(const std::string& bytes);
+
+}  // namespace plumb::references
