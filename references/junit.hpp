@@ -13,7 +13,7 @@ struct JunitCase {
   std::string message;  ///< one line; empty when passed
   std::string details;  ///< any number of lines
   double seconds = 0;
-  std::string output;  ///< what is to be said of one that passed; may be empty
+  std::string output = {};  ///< what is to be said of one that passed; may be empty
 };
 
 /// One suite in a <testsuites>, elements and attributes as in Jenkins' junit-10.xsd. Bytes that are not UTF-8
