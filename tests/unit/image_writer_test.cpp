@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "tests/support/end_to_end.hpp"
+#include "tests/support/other_readers.hpp"
 #include "tracer/image/io.hpp"
 #include "tracer/image/module.hpp"
 #include "tracer/image/oiio_module.hpp"
@@ -70,14 +71,6 @@ TEST(ImageWriter, TheFileIsTheSameForAllBands) {
   }
 }
 
-std::vector<float> as_others_read(const std::string& path) {
-  ImageFile file;
-  const auto read = reinterpret_cast<oiio::Read>(module_symbol(oiio::module_name, oiio::read_symbol));
-  EXPECT_EQ(read(path, file), "");
-  EXPECT_EQ(file.sample, Sample::bits8);
-  return file.values;
-}
-
 /// Whole it is deflated by libdeflate, in bands by zlib.
 TEST(ImageWriter, APngOfEightBitsHasTheSamePixelsForAllBands) {
   const Workplace workplace;
@@ -86,10 +79,12 @@ TEST(ImageWriter, APngOfEightBitsHasTheSamePixelsForAllBands) {
     const Image image = random_image(width, height);  // the last of them: more than one chunk of 1 MiB
     for (const Encoding encoding : {Encoding::srgb, Encoding::course}) {
       write_image(path, image, encoding);
-      const std::vector<float> ours = read_image(path).values, theirs = as_others_read(path);
+      const std::vector<float> ours = read_image(path).values, theirs = as_oiiotool_reads(path).values;
       for (const int rows : heights) {
         write_in_bands(path, image, encoding, rows);
-        ASSERT_TRUE(as_others_read(path) == theirs) << width << "x" << height << " in bands of " << rows;
+        if (rows == 7 || rows == 49) {  // each start of oiiotool takes 0.4 s
+          ASSERT_TRUE(as_oiiotool_reads(path).values == theirs) << width << "x" << height << " in " << rows;
+        }
         ASSERT_TRUE(read_image(path).values == ours) << width << "x" << height << " in bands of " << rows;
       }
     }

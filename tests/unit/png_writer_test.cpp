@@ -1,4 +1,4 @@
-// The PNG that we write, read by others: its chunks by hand and zlib, its pixels by OpenImageIO.
+// The PNG that we write, read by others: its chunks by hand and zlib, its pixels by oiiotool.
 #include "tracer/image/codecs/png_writer.hpp"
 
 #include <gtest/gtest.h>
@@ -9,11 +9,11 @@
 #include <random>
 #include <utility>
 
+#include "tests/support/other_readers.hpp"
 #include "tests/support/run.hpp"
 #include "tracer/image/codecs/codecs.hpp"
 #include "tracer/image/io.hpp"
 #include "tracer/image/module.hpp"
-#include "tracer/image/oiio_module.hpp"
 
 namespace plumb::tests {
 namespace {
@@ -57,10 +57,7 @@ void expect_pixels(const ImageFile& file, Size size, const Bytes& rgb) {
 void expect_read_back(const Workplace& workplace, Size size, const Bytes& rgb) {
   SCOPED_TRACE(std::to_string(size.first) + "x" + std::to_string(size.second));
   const std::string path = workplace.file("image.png", png_of(size, rgb));
-  ImageFile theirs;
-  const auto read = reinterpret_cast<oiio::Read>(module_symbol(oiio::module_name, oiio::read_symbol));
-  ASSERT_EQ(read(path, theirs), "");
-  expect_pixels(theirs, size, rgb);
+  expect_pixels(as_oiiotool_reads(path), size, rgb);
   expect_pixels(read_image(path), size, rgb);
 }
 
