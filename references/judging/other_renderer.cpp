@@ -26,7 +26,7 @@ constexpr std::int64_t most_pixels = std::int64_t{1} << 26;
 JudgedScene scene_at(const std::string& path, const Dialect& dialect) {
   JudgedScene scene;
   scene.name = fs::path(path).stem().string();
-  scene.path = path;
+  scene.text = read_file(path);
   scene.scene = load_scene(path, dialect);
   return scene;
 }
