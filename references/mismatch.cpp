@@ -82,8 +82,8 @@ class Trial {
     return rest;
   }
 
-  /// Squared differences of the pixels that have no counterpart under the hypothesis: it lies outside of the
-  /// picture or is not finite.
+  /// Squared differences of the pixels that the hypothesis leaves without a counterpart, in either picture:
+  /// it lies outside or is not finite.
   double squares_lost(const Hypothesis& h) {
     double sum = 0;
     std::vector<float> counterparts(t_.size());
@@ -94,11 +94,11 @@ class Trial {
       const bool has_row = other >= 0 && other < reference_.height;
       if (has_row) test_.copy_row(other, counterparts.data());
       for (int x = 0; x < reference_.width; ++x) {
+        if (!is_finite(at(r_, x)) || !is_finite(at(t_, x))) continue;
         const int column = column_of_test(h, x);
         const bool has_pixel = has_row && column >= 0 && column < reference_.width;
-        if (is_finite(at(r_, x)) && is_finite(at(t_, x)) &&
-            !(has_pixel && is_finite(at(counterparts, column))))
-          sum += squares_at(x);
+        const bool is_kept = has_pixel && is_finite(at(counterparts, column)) && is_moved_to(h, x, y);
+        if (!is_kept) sum += squares_at(x);
       }
     }
     return sum;
@@ -113,6 +113,13 @@ class Trial {
 
   int column_of_test(const Hypothesis& h, int x) const {
     return (h.mirrors_columns ? reference_.width - 1 - x : x) + h.dx;
+  }
+
+  /// Whether this pixel of the test picture is the counterpart of one inside the reference. A flip leaves
+  /// none out, so that only the shift counts.
+  bool is_moved_to(const Hypothesis& h, int x, int y) const {
+    const int column = x - h.dx, row = y - h.dy;
+    return column >= 0 && column < reference_.width && row >= 0 && row < reference_.height;
   }
 
   bool is_finite(const float* pixel) const {
