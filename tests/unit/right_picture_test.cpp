@@ -139,7 +139,7 @@ TEST(RightPicture, OfAnotherNumberIsNot) {
     expect_not_right("phong.sdf", "ambient 1 1 1", "ambient 1.04 1 1", formats()[format]);
     expect_not_right("phong.sdf", "1 1 1 1\n", "1 1 1 1.01\n", formats()[format]);
   }
-  expect_not_right("phong.sdf", "ambient 1 1 1", "ambient 1.00002 1 1", formats()[6]);
+  expect_not_right("phong.sdf", "ambient 1 1 1", "ambient 1.0003 1 1", formats()[6]);
 }
 
 TEST(RightPicture, ApartFromAShapeNamesIt) {
