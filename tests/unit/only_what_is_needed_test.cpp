@@ -140,7 +140,7 @@ TEST(OnlyWhatIsNeeded, UnionsAreThoseOfCompositesWithSeveralParts) {
   EXPECT_EQ(counted(two + "define shape composite both a b\n").unions, 1);
   const std::string shared =
       "define shape composite pair a b\ndefine shape composite left pair\n"
-      "define shape composite right pair\n";
+      "define shape composite right pair\ntransform right translate 9 0 0\n";
   EXPECT_EQ(counted(two + shared).unions, 1);
 }
 
