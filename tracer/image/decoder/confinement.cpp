@@ -19,6 +19,12 @@
 namespace plumb::decoder {
 namespace {
 
+#ifdef __SANITIZE_ADDRESS__
+constexpr bool reserves_terabytes = true;
+#else
+constexpr bool reserves_terabytes = false;
+#endif
+
 void limit(int what, std::uint64_t value) {
   const rlimit both{value, value};
   if (::setrlimit(static_cast<__rlimit_resource>(what), &both) != 0)
@@ -55,9 +61,7 @@ void limit_resources(int seconds, std::uint64_t memory_bytes, std::uint64_t file
   limit(RLIMIT_CORE, 0);
   limit(RLIMIT_CPU, static_cast<std::uint64_t>(seconds));
   limit(RLIMIT_FSIZE, file_bytes);
-#ifndef __SANITIZE_ADDRESS__  // which reserves terabytes
-  limit(RLIMIT_AS, mapped_bytes() + memory_bytes);
-#endif
+  if (!reserves_terabytes) limit(RLIMIT_AS, mapped_bytes() + memory_bytes);
 }
 
 void forbid_all_else() {
