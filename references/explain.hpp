@@ -11,8 +11,8 @@ namespace plumb::references {
 /// What a reader of the sum must know when rays were not traced; else empty.
 std::string cut_note(const RayNode& tree);
 
-/// What must be said where the engine, whose pictures `verify` compares, comes to another colour than the rays
-/// shown, which the textbook tracer traces; else empty. They may differ by the tolerance of `verify`.
+/// What must be said where the engine, whose pictures `verify` compares, comes to another colour than the
+/// rays shown, which the textbook tracer traces; else empty. They may differ by the tolerance of `verify`.
 std::string engine_note(const Rgbd& of_rays, const Rgbd& of_engine);
 
 /// Indented lines, the camera ray first. `scene` is the one that the tree was made from.
