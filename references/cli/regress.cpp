@@ -138,8 +138,9 @@ references::JunitCase junit_case(const Options& options, const RegressedScene& s
                           : status == Status::differ ? Outcome::failed
                                                      : Outcome::error;
   const std::string& message = scene.result.message;
-  return {scene.name, outcome, message.substr(0, message.find('\n')), with_command(options, scene),
-          scene.seconds};
+  const std::string of_passed = outcome == Outcome::passed ? message_of(scene) : "";
+  return {scene.name,    outcome,  message.substr(0, message.find('\n')), with_command(options, scene),
+          scene.seconds, of_passed};
 }
 
 std::string to_junit(const Options& options, const std::vector<RegressedScene>& scenes) {
