@@ -82,6 +82,15 @@ bool is_blank(const ImageFile& seen) {
   return true;
 }
 
+/// Whether nothing is seen with these faults. The background of any picture then seems explained.
+bool shows_nothing(const Evidence& evidence, const FaultSet& set) {
+  const std::vector<float> colours = evidence.colours(set, evidence.survey());
+  for (std::size_t i = 3; i < colours.size(); ++i) {
+    if (colours[i] != colours[i - 3]) return false;
+  }
+  return true;
+}
+
 /// What stands at these pixels of the right picture.
 std::vector<ShapeSeen> shapes_at(const Evidence& evidence, const std::vector<std::size_t>& pixels) {
   RenderOptions first_hit = evidence.job().options;
@@ -140,6 +149,7 @@ class Diagnostician {
         without_idle(evidence_, fit.set, left.encoding, least_righted(right, left));
     if (fit.set.empty() || (fit.set.size() > 1 && is_blank(seen_))) return false;
     left = remains_of(evidence_, fit.set);
+    if (!left.pixels.empty() && shows_nothing(evidence_, fit.set)) return false;
     const double wrong = static_cast<double>(right.pixels.size());
     diagnosis_.explained = 1 - static_cast<double>(left.pixels.size()) / wrong;
     if (diagnosis_.explained < enough) return false;
