@@ -211,8 +211,10 @@ TEST_F(JudgeCommand, TheReportLinksTheLessonOfEachFault) {
   EXPECT_TRUE(contains(read_file(workplace_.path("report/faults.html")), "<section id=ka-kd-swapped>"));
   const Json picture = Json::parse(told.out)["pictures"][0];
   EXPECT_EQ(picture["faults"][0]["id"], "ka-kd-swapped");
-  EXPECT_EQ(picture["encoding"],
-            Json::parse(R"({"tone_map":true,"gamma":1.0,"rounding":"truncate","flipped":false})"));
+  EXPECT_EQ(
+      picture["encoding"],
+      Json::parse(
+          R"({"tone_map":true,"gamma":1.0,"rounding":"truncate","levels":[256,256,256],"flipped":false})"));
   // A teacher who tells less leaves no formulas of an earlier run.
   const Outcome hinted = judge({"--images", "pictures", "--report", "report", "--hint", "2", "--json", "-"});
   ASSERT_EQ(hinted.exit_code, 1) << hinted.err;
