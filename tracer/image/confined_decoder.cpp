@@ -2,8 +2,6 @@
 
 #include <fcntl.h>
 #include <poll.h>
-#include <signal.h>
-#include <spawn.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -13,13 +11,11 @@
 #include <cerrno>
 #include <chrono>
 #include <cstring>
-#include <filesystem>
 #include <system_error>
 
 #include "tracer/image/decoded_message.hpp"
+#include "tracer/image/decoder_service.hpp"
 #include "tracer/image/descriptor.hpp"
-
-extern char** environ;
 
 namespace plumb {
 namespace {
@@ -29,14 +25,9 @@ namespace {
                           std::string("a picture cannot be decoded: ") + what);
 }
 
-/// Above those that the process gets: duplicating them then overwrites none.
-int moved_up(int number, const char* what) {
-  constexpr int free_from = 10;
+int opened(int number, const char* what) {
   if (number < 0) fail(what);
-  const Descriptor low(number);
-  const int high = ::fcntl(number, F_DUPFD_CLOEXEC, free_from);
-  if (high < 0) fail(what);
-  return high;
+  return number;
 }
 
 void write_all(int file, std::string_view bytes) {
@@ -51,53 +42,19 @@ void write_all(int file, std::string_view bytes) {
 int source_of(const std::string& path, const MappedFile& file) {
   struct stat info {};
   if (::stat(path.c_str(), &info) == 0 && S_ISREG(info.st_mode))
-    return moved_up(::open(path.c_str(), O_RDONLY | O_CLOEXEC), "the file cannot be opened again");
-  const int memory = moved_up(::memfd_create("picture", MFD_CLOEXEC), "memfd_create");
+    return opened(::open(path.c_str(), O_RDONLY | O_CLOEXEC), "the file cannot be opened again");
+  const int memory = opened(::memfd_create("picture", MFD_CLOEXEC), "memfd_create");
   write_all(memory, file.bytes());
   return memory;
 }
 
-class Child {
- public:
-  Child(const std::vector<std::string>& command, int source, int pixels, int message) {
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
-    posix_spawn_file_actions_adddup2(&actions, message, 1);
-    posix_spawn_file_actions_addopen(&actions, 2, "/dev/null", O_WRONLY, 0);
-    posix_spawn_file_actions_adddup2(&actions, source, 3);
-    posix_spawn_file_actions_adddup2(&actions, pixels, 4);
-    std::vector<char*> arguments;
-    for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
-    arguments.push_back(nullptr);
-    const int error = ::posix_spawn(&process_, arguments[0], &actions, nullptr, arguments.data(), environ);
-    posix_spawn_file_actions_destroy(&actions);
-    if (error != 0) {
-      errno = error;
-      fail((command[0] + " cannot be run").c_str());
-    }
+struct Pipe {
+  Pipe() {
+    std::array<int, 2> ends{};
+    if (::pipe2(ends.data(), O_CLOEXEC) != 0) fail("pipe");
+    from.emplace(ends[0]), to.emplace(ends[1]);
   }
-  ~Child() {
-    if (process_ > 0) {
-      ::kill(process_, SIGKILL);
-      wait();
-    }
-  }
-  Child(const Child&) = delete;
-  Child& operator=(const Child&) = delete;
-
-  void kill() const { ::kill(process_, SIGKILL); }
-  /// As waitpid says it.
-  int wait() {
-    int status = 0;
-    while (::waitpid(process_, &status, 0) < 0 && errno == EINTR) {
-    }
-    process_ = -1;
-    return status;
-  }
-
- private:
-  pid_t process_ = -1;
+  std::optional<Descriptor> from, to;
 };
 
 /// Everything up to the end; nothing once the time is over or it is longer than any true message.
@@ -131,6 +88,18 @@ struct Mapping {
   void* bytes;
   std::size_t size;
 };
+
+/// How the process ended, as waitpid says it.
+int read_status(int from, const std::string& path) {
+  int status = 0;
+  ssize_t got = -1;
+  do got = ::read(from, &status, sizeof status);
+  while (got < 0 && errno == EINTR);
+  if (got == static_cast<ssize_t>(sizeof status)) return status;
+  throw std::system_error(
+      ECHILD, std::generic_category(),
+      path + ": cannot be decoded now: no process could be made for it, or it was killed");
+}
 
 /// Nobody but us has the pixels' memory by now.
 PixelRows rows_of(const std::string& path, const Shape& shape, int pixels, const ReadLimits& limits) {
@@ -177,24 +146,18 @@ int seconds_for(const MappedFile& file) {
 std::optional<PixelRows> decoded_by(bool has_other_decoder, const std::string& path, const MappedFile& file,
                                     Kind kind, const std::string& part, const ReadLimits& limits) {
   const Descriptor source(source_of(path, file));
-  const Descriptor pixels(moved_up(::memfd_create("pixels", MFD_CLOEXEC), "memfd_create"));
-  const auto program = std::filesystem::read_symlink("/proc/self/exe").parent_path() / decoder_name;
+  const Descriptor pixels(opened(::memfd_create("pixels", MFD_CLOEXEC), "memfd_create"));
   const int seconds = seconds_for(file);
-  std::array<int, 2> ends{};
-  if (::pipe2(ends.data(), O_CLOEXEC) != 0) fail("pipe");
-  const Descriptor from(ends[0]);
-  Child child = [&] {
-    const Descriptor to(moved_up(ends[1], "pipe"));
-    return Child(
-        {program.string(), std::to_string(static_cast<int>(kind)), part, std::to_string(limits.pixels),
-         std::to_string(limits.bytes), std::to_string(seconds), has_other_decoder ? "1" : "0"},
-        source.number(), pixels.number(), to.number());
-  }();
+  Pipe message_pipe, status_pipe;
+  DecoderService::shared().hand_over(
+      {kind, limits, seconds, has_other_decoder, part},
+      {source.number(), pixels.number(), message_pipe.to->number(), status_pipe.to->number()});
+  message_pipe.to.reset(), status_pipe.to.reset();
   // It can wait for nothing, so its limit of computing ends it; a busy machine may take longer for that.
+  // Where we give up, it is killed because nobody holds the other ends of its pipes any more.
   constexpr int patience = 6;
-  const auto message = read_message(from.number(), patience * seconds);
-  if (!message) child.kill();
-  const int status = child.wait();
+  const auto message = read_message(message_pipe.from->number(), patience * seconds);
+  const int status = message ? read_status(status_pipe.from->number(), path) : 0;
   const bool is_late = !message || (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU);
   if (is_late)
     throw std::runtime_error(path + ": cannot be read: decoding it took more than " +
@@ -202,7 +165,7 @@ std::optional<PixelRows> decoded_by(bool has_other_decoder, const std::string& p
                              " s, so it was given up; it is damaged, or made to take long");
   const auto decoded = decoded_message(*message);
   if (WIFEXITED(status) && WEXITSTATUS(status) == exit_without_module)
-    throw std::system_error(ENOENT, std::generic_category(), decoded ? decoded->why : program.string());
+    throw std::system_error(ENOENT, std::generic_category(), decoded ? decoded->why : decoder_name);
   if (status != 0 || !decoded)
     throw std::runtime_error(path + ": cannot be read, it is damaged: its decoder " + ending(status) +
                              " on it; write it again, or as PNG or OpenEXR");

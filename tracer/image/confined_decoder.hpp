@@ -13,8 +13,9 @@
 namespace plumb {
 
 inline constexpr const char* decoder_name = "plumb-decode";
-inline constexpr const char* decoder_path = "?";  ///< what it calls the file in its messages
-inline constexpr int exit_without_module = 3;     ///< its own trouble, not that of a file
+inline constexpr const char* serve_argument = "serve";  ///< its only one: what it does for plumb
+inline constexpr const char* decoder_path = "?";        ///< what it calls the file in its messages
+inline constexpr int exit_without_module = 3;           ///< its own trouble, not that of a file
 
 /// Throws std::runtime_error naming the path and what is wrong with it, PictureTooLarge, and
 /// std::system_error when the process cannot be run: that is not the file's fault.

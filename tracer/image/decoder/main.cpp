@@ -1,14 +1,20 @@
-// plumb-decode: decodes one file for `plumb`, which starts it and trusts nothing that it says. Standard
-// output takes the message, descriptor 3 is the file, descriptor 4 takes the pixels.
+// plumb-decode: decodes files for `plumb`, which starts it and trusts nothing that it says. It never looks at
+// a file itself: it loads the libraries, once, and makes a process for each file, which is confined before it
+// does.
 #include <unistd.h>
 
+#include <cerrno>
+#include <csignal>
 #include <cstdio>
+#include <cstring>
 #include <stdexcept>
 
 #include "tracer/image/codecs/codecs.hpp"
 #include "tracer/image/confined_decoder.hpp"
+#include "tracer/image/decode_request.hpp"
 #include "tracer/image/decoded_message.hpp"
 #include "tracer/image/decoder/confinement.hpp"
+#include "tracer/image/decoder/keeper.hpp"
 #include "tracer/image/decoder/shared_canvas.hpp"
 #include "tracer/image/module.hpp"
 #include "tracer/image/oiio_module.hpp"
@@ -16,46 +22,45 @@
 namespace plumb::decoder {
 namespace {
 
-constexpr int arguments = 7;
-
 struct Job {
   codecs::Source source;
-  bool has_other_decoder = false;
-  int seconds = 0;
+  DecodeRequest request;
+  DecodeFiles files;
 };
 
-Job job_of(char** words) {
+Job job_of(const DecodeRequest& request, const DecodeFiles& files) {
   Job job;
+  job.request = request;
+  job.files = files;
   job.source.path = decoder_path;
-  job.source.kind = static_cast<Kind>(std::stoi(words[1]));
-  job.source.part = words[2];
-  job.source.limits = {std::stoll(words[3]), std::stoll(words[4])};
-  job.seconds = std::stoi(words[5]);
-  job.has_other_decoder = std::stoi(words[6]) != 0;
-  job.source.file = std::make_shared<const MappedFile>("/proc/self/fd/3");
+  job.source.kind = request.kind;
+  job.source.part = request.part;
+  job.source.limits = request.limits;
   return job;
 }
 
-/// Loads the module while that is still possible.
+/// Loads the modules while that is still possible; they stay loaded.
 class Decoder {
  public:
   explicit Decoder(const Job& job) : source_(job.source) {
     const bool is_of_codecs = source_.kind == Kind::exr || source_.kind == Kind::tiff;
     if (is_of_codecs)
       decode_ = reinterpret_cast<codecs::Decode>(module_symbol(codecs::module_name, codecs::decode_symbol));
-    if (is_of_codecs && !job.has_other_decoder) return;
+    if (is_of_codecs && !job.request.has_other_decoder) return;
     const auto of_oiio = [](const char* name) { return module_symbol(oiio::module_name, name); };
     reinterpret_cast<oiio::Prepare>(of_oiio(oiio::prepare_symbol))();
     read_ = reinterpret_cast<oiio::Read>(of_oiio(oiio::read_symbol));
     source_.read_openexr = reinterpret_cast<ReadOpenExr>(of_oiio(oiio::read_openexr_symbol));
   }
 
-  void decode(Canvas& canvas) const {
-    if (decode_ != nullptr) return decode_(source_, canvas);
-    const std::string complaint = read_(source_.file->bytes(), source_.kind, canvas);
+  void decode(const std::shared_ptr<const MappedFile>& file, Canvas& canvas) const {
+    codecs::Source source = source_;
+    source.file = file;
+    if (decode_ != nullptr) return decode_(source, canvas);
+    const std::string complaint = read_(file->bytes(), source.kind, canvas);
     if (!complaint.empty())
       throw std::runtime_error(
-          source_.path + ": cannot be read, it is damaged or was cut short (OpenImageIO: " + complaint + ")");
+          source.path + ": cannot be read, it is damaged or was cut short (OpenImageIO: " + complaint + ")");
   }
 
  private:
@@ -64,20 +69,24 @@ class Decoder {
   oiio::Read read_ = nullptr;
 };
 
-void answer(const DecodedMessage& message) {
+void answer(int to, const DecodedMessage& message) {
   const std::string text = text_of(message);
-  std::fwrite(text.data(), 1, text.size(), stdout);
-  std::fflush(stdout);
+  for (std::string_view rest = text; !rest.empty();) {
+    const ssize_t written = ::write(to, rest.data(), rest.size());
+    if (written < 0 && errno != EINTR) return;
+    if (written > 0) rest.remove_prefix(static_cast<std::size_t>(written));
+  }
 }
 
 DecodedMessage decoded(const Job& job, const Decoder& decoder) {
   DecodedMessage message;
   constexpr std::uint64_t for_working = std::uint64_t{512} << 20;  // beside the pixels
   const auto pixels = static_cast<std::uint64_t>(job.source.limits.bytes);
-  limit_resources(job.seconds, for_working + pixels, pixels);
+  const auto file = std::make_shared<const MappedFile>("/proc/self/fd/" + std::to_string(job.files.source));
+  limit_resources(job.request.seconds, for_working + pixels, pixels);
   forbid_all_else();
-  SharedCanvas canvas(4, job.source.path, job.source.limits);
-  decoder.decode(canvas);
+  SharedCanvas canvas(job.files.pixels, job.source.path, job.source.limits);
+  decoder.decode(file, canvas);
   message.shape = canvas.finish();
   message.outcome = DecodedMessage::Outcome::decoded;
   return message;
@@ -102,26 +111,52 @@ DecodedMessage outcome(const Job& job, const Decoder& decoder) {
   return message;
 }
 
-int run(int count, char** words) {
-  if (count != arguments) {
-    std::fputs("plumb-decode: is started by plumb alone\n", stderr);
-    return 2;
-  }
-  const Job job = job_of(words);
+/// What the process of one file does. Without destructors and leak checkers at its end: both may need what is
+/// forbidden by then.
+[[noreturn]] void become_decoder(const Job& job) {
   try {
     const Decoder decoder(job);
-    answer(outcome(job, decoder));
-    return 0;
+    answer(job.files.message, outcome(job, decoder));
+    ::_exit(0);
   } catch (const std::exception& error) {
     DecodedMessage message;
     message.why = error.what();
-    answer(message);
-    return exit_without_module;
+    answer(job.files.message, message);
+    ::_exit(exit_without_module);
+  }
+}
+
+/// Loaded here once, its modules are there in every process that is made later. Whether that worked each of
+/// them says.
+void load_modules_of(const Job& job) {
+  try {
+    const Decoder decoder(job);
+  } catch (const std::exception&) {
+  }
+}
+
+int serve(int socket) {
+  Keeper keeper;
+  for (;;) {
+    keeper.keep_until_readable(socket);
+    DecodeFiles files;
+    const std::string text = receive_files(socket, files);
+    if (text.empty()) return 0;
+    const Job job = job_of(decode_request(text), files);
+    load_modules_of(job);
+    keeper.run(files, [&job] { become_decoder(job); });
   }
 }
 
 }  // namespace
 }  // namespace plumb::decoder
 
-/// Without destructors and leak checkers: both may need what is forbidden by now.
-int main(int count, char** words) { ::_exit(plumb::decoder::run(count, words)); }
+int main(int count, char** words) {
+  if (count != 2 || std::strcmp(words[1], plumb::serve_argument) != 0) {
+    std::fputs("plumb-decode: is started by plumb alone\n", stderr);
+    return 2;
+  }
+  // A signal from the keyboard is for plumb, which ends this process by closing its socket.
+  for (const int number : {SIGINT, SIGQUIT, SIGHUP, SIGPIPE}) std::signal(number, SIG_IGN);
+  ::_exit(plumb::decoder::serve(0));
+}
