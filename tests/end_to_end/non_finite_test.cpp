@@ -36,9 +36,12 @@ class NonFinite : public testing::TestWithParam<Format> {
   Outcome run(const std::vector<std::string>& arguments) const {
     return run_plumb(arguments, workplace_.directory());
   }
+  /// OpenImageIO 2.4 writes no PFM, which the picture is already.
   void convert(const std::string& from, const std::string& to) const {
-    const auto done =
-        run_shell("oiiotool " + from + " " + GetParam().arguments + " -o " + to, workplace_.directory());
+    const std::string command = to.ends_with(".pfm")
+                                    ? "cp " + from + " " + to
+                                    : "oiiotool " + from + " " + GetParam().arguments + " -o " + to;
+    const auto done = run_shell(command, workplace_.directory());
     ASSERT_EQ(done.exit_code, 0) << done.output;
   }
   /// Writes the value into a component of the picture.

@@ -449,7 +449,8 @@ TEST_F(RegressReport, AComparedSceneHasFigures) {
 }
 
 TEST_F(RegressReport, NeitherHasTheTable) {
-  EXPECT_TRUE(contains(regress({}).out, " 32x24          -        -       -  differ\n")) << regress({}).out;
+  EXPECT_TRUE(contains(regress({}).out, " 32x24          -        -       -       -  differ\n"))
+      << regress({}).out;
 }
 
 // --- JSON and JUnit -------------------------------------------------------------------------------

@@ -115,7 +115,7 @@ TEST_F(SandboxPlaces, ThePlacesThatPeopleUse) {
   if (geteuid() != 0) GTEST_SKIP() << "only root may make directories there";
   for (const char* const top : {"/home", "/root", "/srv", "/opt", "/var/tmp", "/tmp", "/mnt", "/var/lib"}) {
     if (!fs::is_directory(top)) continue;
-    const references::TemporaryDirectory directory(std::string(top) + "/plumb-places-");
+    const references::TemporaryDirectory directory{std::string(top)};
     fs::permissions(directory.path(), fs::perms(0755));
     const std::string program = directory.path() + "/program";
     write_file(program, "#!/bin/sh\necho ran\n");

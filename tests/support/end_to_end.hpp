@@ -64,8 +64,9 @@ inline references::ProcessResult run_shell(const std::string& command, const std
   references::ProcessLimits limits;
   limits.seconds = 120;
   limits.memory_bytes = std::numeric_limits<std::size_t>::max();  // an address sanitizer reserves terabytes
-  const std::string with_cache = "PLUMB_CACHE='" + directory + "/.cache'; export PLUMB_CACHE; " + command;
-  return references::run_process({"/bin/sh", "-c", with_cache, PLUMB_BINARY}, directory, limits);
+  const std::string with_environment = "export PLUMB_CACHE='" + directory + "/.cache' LSAN_OPTIONS='" +
+                                       std::string(leak_options) + "'; " + command;
+  return references::run_process({"/bin/sh", "-c", with_environment, PLUMB_BINARY}, directory, limits);
 }
 
 /// The program said in its own words what is wrong, all of `parts` among them: it did not crash.

@@ -25,7 +25,7 @@ constexpr unsigned longest_run_seconds = 120;
   redirect(".err", 2);
   if (chdir(directory.c_str()) != 0) _exit(126);
   setenv("PLUMB_CACHE", (directory + "/.cache").c_str(), 1);
-  setenv("LSAN_OPTIONS", "suppressions=" PLUMB_SOURCE_DIRECTORY "/tests/support/leaks_of_others.txt", 1);
+  setenv("LSAN_OPTIONS", leak_options, 1);
   for (const std::string& pair : environment) putenv(const_cast<char*>(pair.c_str()));
   std::vector<char*> pointers{const_cast<char*>(PLUMB_BINARY)};
   for (const std::string& argument : arguments) pointers.push_back(const_cast<char*>(argument.c_str()));

@@ -9,6 +9,10 @@
 
 namespace plumb::tests {
 
+/// What LeakSanitizer is told in a run: leaks of libraries that are not ours.
+inline constexpr const char* leak_options =
+    "suppressions=" PLUMB_SOURCE_DIRECTORY "/tests/support/leaks_of_others.txt";
+
 struct Outcome {
   int exit_code;
   std::string out;
