@@ -15,6 +15,7 @@
 #include "tracer/image/decoded_message.hpp"
 #include "tracer/image/decoder/confinement.hpp"
 #include "tracer/image/decoder/keeper.hpp"
+#include "tracer/image/decoder/rest.hpp"
 #include "tracer/image/decoder/shared_canvas.hpp"
 #include "tracer/image/module.hpp"
 #include "tracer/image/oiio_module.hpp"
@@ -135,15 +136,26 @@ void load_modules_of(const Job& job) {
   }
 }
 
+/// Which modules a request needs.
+int modules_of(const Job& job) {
+  const bool is_of_codecs = job.source.kind == Kind::exr || job.source.kind == Kind::tiff;
+  return (is_of_codecs ? 1 : 0) | (!is_of_codecs || job.request.has_other_decoder ? 2 : 0);
+}
+
 int serve(int socket) {
   Keeper keeper;
+  int loaded = 0;
   for (;;) {
     keeper.keep_until_readable(socket);
     DecodeFiles files;
     const std::string text = receive_files(socket, files);
     if (text.empty()) return 0;
     const Job job = job_of(decode_request(text), files);
-    load_modules_of(job);
+    if ((modules_of(job) & ~loaded) != 0) {
+      load_modules_of(job);
+      wait_until_others_rest();
+      loaded |= modules_of(job);
+    }
     keeper.run(files, [&job] { become_decoder(job); });
   }
 }
