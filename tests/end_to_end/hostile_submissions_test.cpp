@@ -108,9 +108,11 @@ constexpr Hostile pythons[] = {
      "for f in ('/proc/1/root/etc/shadow', '/proc/1/root/root', '/proc/1/cwd/root'):\n"
      " try:\n  (os.listdir if f.endswith('root') else open)(f); print('REACHED', f)\n"
      " except OSError: pass\n"
-     "for f in ('/proc/sys/kernel/core_pattern', '/proc/sysrq-trigger'):\n"
-     " try: open(f, 'r+b'); print('REACHED', f)\n except OSError: pass\n"
+     "files = ['/proc/sys/kernel/core_pattern', '/proc/sysrq-trigger']\n"
      // The first process may be the program's own user's: then it can do no more than the program.
+     "if os.stat('/proc/1/mem').st_uid != os.getuid(): files += ['/proc/1/mem', '/proc/1/oom_score_adj']\n"
+     "for f in files:\n"
+     " try: open(f, 'r+b'); print('REACHED', f)\n except OSError: pass\n"
      "def rights(p): return [l for l in open('/proc/%s/status' % p) if l[:4] in ('CapP', 'CapE', 'NoNe', "
      "'Secc')]\n"
      "if rights(1) != rights('self'): print('REACHED', rights(1), rights('self'))\n"
