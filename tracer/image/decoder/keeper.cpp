@@ -19,6 +19,8 @@ void Keeper::run(const DecodeFiles& files, const std::function<void()>& work) {
   auto status = std::make_unique<Descriptor>(files.status);
   const pid_t process = ::fork();
   if (process == 0) {
+    status.reset();
+    all_.clear();  // it writes to no pipe that is not its own
     work();
     ::_exit(1);
   }

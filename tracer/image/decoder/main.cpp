@@ -7,7 +7,9 @@
 #include <csignal>
 #include <cstdio>
 #include <cstring>
+#include <memory>
 #include <stdexcept>
+#include <utility>
 
 #include "tracer/image/codecs/codecs.hpp"
 #include "tracer/image/confined_decoder.hpp"
@@ -23,45 +25,35 @@
 namespace plumb::decoder {
 namespace {
 
-struct Job {
-  codecs::Source source;
-  DecodeRequest request;
-  DecodeFiles files;
-};
-
-Job job_of(const DecodeRequest& request, const DecodeFiles& files) {
-  Job job;
-  job.request = request;
-  job.files = files;
-  job.source.path = decoder_path;
-  job.source.kind = request.kind;
-  job.source.part = request.part;
-  job.source.limits = request.limits;
-  return job;
+bool needs_codecs(const DecodeRequest& request) {
+  return request.kind == Kind::exr || request.kind == Kind::tiff;
 }
+bool needs_oiio(const DecodeRequest& request) { return !needs_codecs(request) || request.has_other_decoder; }
 
 /// Loads the modules while that is still possible; they stay loaded.
 class Decoder {
  public:
-  explicit Decoder(const Job& job) : source_(job.source) {
-    const bool is_of_codecs = source_.kind == Kind::exr || source_.kind == Kind::tiff;
-    if (is_of_codecs)
+  explicit Decoder(const DecodeRequest& request) {
+    source_.path = decoder_path;
+    source_.kind = request.kind;
+    source_.part = request.part;
+    source_.limits = request.limits;
+    if (needs_codecs(request))
       decode_ = reinterpret_cast<codecs::Decode>(module_symbol(codecs::module_name, codecs::decode_symbol));
-    if (is_of_codecs && !job.request.has_other_decoder) return;
+    if (!needs_oiio(request)) return;
     const auto of_oiio = [](const char* name) { return module_symbol(oiio::module_name, name); };
     reinterpret_cast<oiio::Prepare>(of_oiio(oiio::prepare_symbol))();
     read_ = reinterpret_cast<oiio::Read>(of_oiio(oiio::read_symbol));
     source_.read_openexr = reinterpret_cast<ReadOpenExr>(of_oiio(oiio::read_openexr_symbol));
   }
 
-  void decode(const std::shared_ptr<const MappedFile>& file, Canvas& canvas) const {
-    codecs::Source source = source_;
-    source.file = file;
-    if (decode_ != nullptr) return decode_(source, canvas);
-    const std::string complaint = read_(file->bytes(), source.kind, canvas);
+  void decode(std::shared_ptr<const MappedFile> file, Canvas& canvas) {
+    source_.file = std::move(file);
+    if (decode_ != nullptr) return decode_(source_, canvas);
+    const std::string complaint = read_(source_.file->bytes(), source_.kind, canvas);
     if (!complaint.empty())
       throw std::runtime_error(
-          source.path + ": cannot be read, it is damaged or was cut short (OpenImageIO: " + complaint + ")");
+          source_.path + ": cannot be read, it is damaged or was cut short (OpenImageIO: " + complaint + ")");
   }
 
  private:
@@ -79,24 +71,24 @@ void answer(int to, const DecodedMessage& message) {
   }
 }
 
-DecodedMessage decoded(const Job& job, const Decoder& decoder) {
+DecodedMessage decoded(const DecodeRequest& request, const DecodeFiles& files, Decoder& decoder) {
   DecodedMessage message;
   constexpr std::uint64_t for_working = std::uint64_t{512} << 20;  // beside the pixels
-  const auto pixels = static_cast<std::uint64_t>(job.source.limits.bytes);
-  const auto file = std::make_shared<const MappedFile>("/proc/self/fd/" + std::to_string(job.files.source));
-  limit_resources(job.request.seconds, for_working + pixels, pixels);
+  const auto pixels = static_cast<std::uint64_t>(request.limits.bytes);
+  auto file = std::make_shared<const MappedFile>("/proc/self/fd/" + std::to_string(files.source));
+  limit_resources(request.seconds, for_working + pixels, pixels);
   forbid_all_else();
-  SharedCanvas canvas(job.files.pixels, job.source.path, job.source.limits);
-  decoder.decode(file, canvas);
+  SharedCanvas canvas(files.pixels, decoder_path, request.limits);
+  decoder.decode(std::move(file), canvas);
   message.shape = canvas.finish();
   message.outcome = DecodedMessage::Outcome::decoded;
   return message;
 }
 
-DecodedMessage outcome(const Job& job, const Decoder& decoder) {
+DecodedMessage outcome(const DecodeRequest& request, const DecodeFiles& files, Decoder& decoder) {
   DecodedMessage message;
   try {
-    return decoded(job, decoder);
+    return decoded(request, files, decoder);
   } catch (const PictureTooLarge& error) {
     message.outcome = DecodedMessage::Outcome::too_large;
     message.why = error.what();
@@ -114,49 +106,45 @@ DecodedMessage outcome(const Job& job, const Decoder& decoder) {
 
 /// What the process of one file does. Without destructors and leak checkers at its end: both may need what is
 /// forbidden by then.
-[[noreturn]] void become_decoder(const Job& job) {
+[[noreturn]] void become_decoder(const DecodeRequest& request, const DecodeFiles& files) {
   try {
-    const Decoder decoder(job);
-    answer(job.files.message, outcome(job, decoder));
+    Decoder decoder(request);
+    answer(files.message, outcome(request, files, decoder));
     ::_exit(0);
   } catch (const std::exception& error) {
     DecodedMessage message;
     message.why = error.what();
-    answer(job.files.message, message);
+    answer(files.message, message);
     ::_exit(exit_without_module);
   }
 }
 
 /// Loaded here once, its modules are there in every process that is made later. Whether that worked each of
 /// them says.
-void load_modules_of(const Job& job) {
+void load_modules_for(const DecodeRequest& request) {
   try {
-    const Decoder decoder(job);
+    const Decoder decoder(request);
   } catch (const std::exception&) {
   }
-}
-
-/// Which modules a request needs.
-int modules_of(const Job& job) {
-  const bool is_of_codecs = job.source.kind == Kind::exr || job.source.kind == Kind::tiff;
-  return (is_of_codecs ? 1 : 0) | (!is_of_codecs || job.request.has_other_decoder ? 2 : 0);
+  wait_until_others_rest();
 }
 
 int serve(int socket) {
   Keeper keeper;
-  int loaded = 0;
+  bool has_codecs = false, has_oiio = false;
   for (;;) {
     keeper.keep_until_readable(socket);
     DecodeFiles files;
     const std::string text = receive_files(socket, files);
     if (text.empty()) return 0;
-    const Job job = job_of(decode_request(text), files);
-    if ((modules_of(job) & ~loaded) != 0) {
-      load_modules_of(job);
-      wait_until_others_rest();
-      loaded |= modules_of(job);
-    }
-    keeper.run(files, [&job] { become_decoder(job); });
+    const DecodeRequest request = decode_request(text);
+    if (needs_codecs(request) > has_codecs || needs_oiio(request) > has_oiio) load_modules_for(request);
+    has_codecs = has_codecs || needs_codecs(request);
+    has_oiio = has_oiio || needs_oiio(request);
+    keeper.run(files, [&] {
+      ::close(socket);  // requests for other files are none of its business
+      become_decoder(request, files);
+    });
   }
 }
 

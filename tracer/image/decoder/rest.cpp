@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <string>
 
 namespace plumb::decoder {
@@ -20,6 +21,11 @@ bool sleeps(const fs::path& task) {
   return end == std::string::npos || text[end + 2] == 'S';
 }
 
+bool is_alone() {
+  const fs::directory_iterator tasks("/proc/self/task");
+  return std::distance(begin(tasks), end(tasks)) == 1;
+}
+
 bool others_rest() {
   const std::string own = std::to_string(::gettid());
   const fs::directory_iterator tasks("/proc/self/task");
@@ -31,6 +37,7 @@ bool others_rest() {
 }  // namespace
 
 void wait_until_others_rest() {
+  if (is_alone()) return;
   constexpr int looks = 500, pause_us = 2000;
   constexpr int in_a_row = 3;  // because one that starts may sleep for a moment on its way
   int rested = 0;
