@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
+
+#include "tracer/formulas/ray.hpp"
 
 namespace plumb::tests {
 
@@ -13,6 +16,13 @@ using Reals = testing::Types<float, double, long double>;
 template <class Real>
 constexpr double ulps(int n) {
   return n * static_cast<double>(std::numeric_limits<Real>::epsilon());
+}
+
+/// How many roundings of a place of size 1 a grazed surface does not tell apart: up to 4, none in float.
+template <class Real>
+int roundings_of_grazed() {
+  const Real share = formulas::resolution<Real>() * formulas::grazing_slope<Real>();
+  return static_cast<int>(std::min(Real(4), share / std::numeric_limits<Real>::epsilon()));
 }
 
 }  // namespace plumb::tests

@@ -369,6 +369,38 @@ TYPED_TEST(BoxFormula, ARayInThePlaneOfAFaceIsParallelToItHoweverItIsRounded) {
   }
 }
 
+template <class Real>
+Ray<Real> grazing_ray(Real height, Real slope) {
+  return {{0, height, 0}, {1, slope, 0}, formulas::resolution<Real>()};
+}
+
+TYPED_TEST(BoxFormula, AGrazedPlaneThroughTheOriginIsBehindTheRayHoweverItIsRounded) {
+  using Real = TypeParam;
+  const Real slope = formulas::grazing_slope<Real>() / 100;
+  for (int ulps = -tests::roundings_of_grazed<Real>(); ulps <= tests::roundings_of_grazed<Real>(); ++ulps) {
+    // Inside, where the plane y = 1 is, and out by it: t of that plane would be off / slope, far over t_min.
+    const Real off = Real(ulps) * std::numeric_limits<Real>::epsilon();
+    EXPECT_FALSE(formulas::intersect_box(grazing_ray(1 + off, slope), this->unit, no_face).has_value())
+        << ulps << ": it has left the box where it starts";
+    const auto inward = formulas::intersect_box(grazing_ray(1 + off, -slope), this->unit, no_face);
+    ASSERT_TRUE(inward.has_value()) << ulps;
+    EXPECT_EQ(inward->face, 1) << ulps << ": it is in the box where it starts";
+  }
+}
+
+TYPED_TEST(BoxFormula, AGrazedPlaneThroughWhatIsKnownIsMetThereHoweverItIsRounded) {
+  using Real = TypeParam;
+  const Real slope = formulas::grazing_slope<Real>() / 100;
+  for (int ulps = -tests::roundings_of_grazed<Real>(); ulps <= tests::roundings_of_grazed<Real>(); ++ulps) {
+    const Real off = Real(ulps) * std::numeric_limits<Real>::epsilon();
+    Ray<Real> ray = grazing_ray(1 - slope / 2 + off, slope);
+    ray.t_known = Real(0.5);
+    const auto hit = formulas::intersect_box(ray, this->unit, no_face);
+    ASSERT_TRUE(hit.has_value()) << ulps;
+    EXPECT_EQ(hit->t, ray.t_known) << ulps;
+  }
+}
+
 TYPED_TEST(BoxFormula, WhatIsAtTheOriginIsBehindTheRay) {
   using Real = TypeParam;
   for (int ulps = -4; ulps <= 4; ++ulps) {
@@ -389,8 +421,9 @@ TYPED_TEST(BoxFormula, EveryScaleGivesTheSameHit) {
     const Ray<Real> ray = random.ray_near(box);
     const auto hit = formulas::intersect_box(ray, box, no_face);
     for (const Real scale : {std::ldexp(Real(1), -40), std::ldexp(Real(1), 40)}) {
-      const auto scaled = formulas::intersect_box(Ray<Real>{scale * ray.origin, scale * ray.direction},
-                                                  Corners<Real>{scale * box.min, scale * box.max}, no_face);
+      const Ray<Real> scaled_ray{scale * ray.origin, scale * ray.direction, 0, Vec3<Real>(scale)};
+      const auto scaled =
+          formulas::intersect_box(scaled_ray, Corners<Real>{scale * box.min, scale * box.max}, no_face);
       ASSERT_EQ(hit.has_value(), scaled.has_value());
       if (!hit) continue;
       ++hits;

@@ -276,6 +276,27 @@ TYPED_TEST(SphereFormula, ARootAtTheOriginIsBehindTheRayHoweverItIsRounded) {
   }
 }
 
+TYPED_TEST(SphereFormula, WhatIsKnownOnAGrazedSphereIsMetThereHoweverItIsRounded) {
+  using Real = TypeParam;
+  // The line touches the unit sphere at its pole; root and so t there are of the size of sqrt(eps).
+  for (int ulps = -tests::roundings_of_grazed<Real>(); ulps <= tests::roundings_of_grazed<Real>(); ++ulps) {
+    const Real off = Real(ulps) * std::numeric_limits<Real>::epsilon();
+    Ray<Real> ray{{-2, 1 + off, 0}, {1, 0, 0}, 2 * formulas::resolution<Real>()};
+    ray.t_known = 2;
+    const auto t = formulas::intersect_sphere(ray, Vec3<Real>(0), Real(1), false);
+    EXPECT_EQ(t.value_or(ray.t_known), ray.t_known) << ulps;
+  }
+}
+
+TYPED_TEST(SphereFormula, AGrazedSphereThroughTheOriginIsBehindTheRayHoweverItIsRounded) {
+  using Real = TypeParam;
+  for (int ulps = -tests::roundings_of_grazed<Real>(); ulps <= tests::roundings_of_grazed<Real>(); ++ulps) {
+    const Real off = Real(ulps) * std::numeric_limits<Real>::epsilon();
+    const Ray<Real> ray{{0, 1 + off, 0}, {1, 0, 0}, formulas::resolution<Real>()};
+    EXPECT_FALSE(formulas::intersect_sphere(ray, Vec3<Real>(0), Real(1), false).has_value()) << ulps;
+  }
+}
+
 TYPED_TEST(SphereFormula, EveryScaleGivesTheSameT) {
   using Real = TypeParam;
   Random<Real> random(8);

@@ -348,7 +348,7 @@ class Shader final : public TileRenderer<Real> {
     for (bool any = true; any;) {
       any = false;
       for (std::size_t i = 0; i < level.size; ++i) {
-        walk.t[i] = state[i] == walking ? std::numeric_limits<Real>::infinity() : Real(-1);
+        walk.t[i] = state[i] == walking ? left[i] : Real(-1);
         walk.ref[i] = 0;
       }
       finder_.template find<false>(walk, 0, level.size, true, nullptr);

@@ -24,12 +24,20 @@ struct Met {
 template <class Real>
 struct RayVector {
   V3<Real> origin, direction;
-  V<Real> t_min;  ///< rounding cannot tell hits up to here from the origin
-  bool is_unit;   ///< directions
-  bool any_own;   ///< whether a lane starts on the shape
-  M<Real> own;    ///< those that do
+  V<Real> t_min;            ///< rounding cannot tell hits up to here from the origin
+  V<Real> t_known;          ///< of a light ahead, or of the nearest hit so far
+  Vec3<Real> world_length;  ///< as in plumb::Ray
+  bool is_unit;             ///< directions
+  bool any_own;             ///< whether a lane starts on the shape
+  M<Real> own;              ///< those that do
   W<Real> own_face;
 };
+
+/// formulas::one_place.
+template <class Real>
+HWY_INLINE V<Real> one_place(const RayVector<Real>& ray, V<Real> t) {
+  return hn::Add(ray.t_min, hn::Mul(set(formulas::resolution<Real>()), t));
+}
 
 /// A quarter of the lecture's, as in formulas::intersect_sphere: a (r^2 - d^2), d the centre's distance from
 /// the line. half_b^2 - a c cancels where a sphere is small and far.
@@ -40,6 +48,30 @@ HWY_INLINE V<Real> discriminant_of(const RayVector<Real>& ray, const Sphere<Real
   const V3<Real> across = sub<Real>(offset, scaled<Real>(ray.direction, nearest));
   const V<Real> room = hn::Sub(set(sphere.radius * sphere.radius), dot<Real>(across, across));
   return ray.is_unit ? room : hn::Mul(a, room);
+}
+
+/// formulas::sphere_crossed_at.
+template <class Real>
+HWY_NOINLINE V<Real> crossed_at(const RayVector<Real>& ray, const V3<Real>& offset, Real radius, V<Real> root,
+                                V<Real> t) {
+  const auto from_center = [&](V<Real> at)
+                               HWY_ATTR { return add<Real>(offset, scaled<Real>(ray.direction, at)); };
+  const V3<Real> there = from_center(t);
+  const V3<Real> across{hn::Abs(there.x), hn::Abs(there.y), hn::Abs(there.z)};
+  const V<Real> few = hn::Div(
+      hn::Mul(set(formulas::grazing_slope<Real>()), dot<Real>(across, set3(ray.world_length))), set(radius));
+  const auto is_at = [&](V<Real> known, V<Real> rounding) HWY_ATTR {
+    const auto is_on_it = [&](V<Real> at) HWY_ATTR {
+      const V3<Real> p = from_center(at);
+      return hn::Lt(hn::Abs(hn::Sub(hn::Sqrt(dot<Real>(p, p)), set(radius))), hn::Mul(rounding, few));
+    };
+    return hn::And(is_on_it(known), is_on_it(hn::Mul(hn::Add(known, t), set(Real(0.5)))));
+  };
+  const M<Real> grazes = hn::Le(root, hn::Mul(few, set(radius)));
+  const V<Real> zero = hn::Zero(Tag<Real>());
+  const M<Real> is_here = hn::And(grazes, is_at(zero, ray.t_min));
+  const M<Real> is_there = hn::And(grazes, is_at(ray.t_known, one_place<Real>(ray, ray.t_known)));
+  return hn::IfThenElse(is_here, zero, hn::IfThenElse(is_there, ray.t_known, t));
 }
 
 /// formulas::intersect_sphere.
@@ -58,19 +90,22 @@ HWY_INLINE Met<Real> meet(const RayVector<Real>& ray, const Sphere<Real>& sphere
   const V<Real> root = hn::Sqrt(discriminant);
   const V<Real> q = hn::Add(root, hn::Abs(half_b));  // root -+ half_b, whichever does not cancel
   V<Real> t = hn::Div(hn::Abs(c), q);
+  // No few_roundings are more than this.
+  const Real most = formulas::grazing_slope<Real>() *
+                    (ray.world_length.x + ray.world_length.y + ray.world_length.z) * sphere.radius;
+  const bool may_graze = !none<Real>(hn::And(mask, hn::Le(root, set(most))));
+  if (HWY_UNLIKELY(may_graze)) t = crossed_at<Real>(ray, offset, sphere.radius, root, t);
   const M<Real> leaves = hn::And(is_inward, hn::Or(hn::Not(is_outside), hn::Le(t, ray.t_min)));
-  if (!none<Real>(hn::And(mask, leaves))) t = hn::IfThenElse(leaves, hn::Div(q, a), t);
+  if (!none<Real>(hn::And(mask, leaves))) {
+    V<Real> leave = hn::Div(q, a);
+    if (HWY_UNLIKELY(may_graze)) leave = crossed_at<Real>(ray, offset, sphere.radius, root, leave);
+    t = hn::IfThenElse(leaves, leave, t);
+  }
   if (ray.any_own) {
     mask = hn::Or(hn::AndNot(ray.own, mask), hn::And(ray.own, is_inward));
     t = hn::IfThenElse(ray.own, hn::Div(hn::Mul(set(Real(-2)), half_b), a), t);
   }
   return {hn::And(mask, hn::Gt(t, ray.t_min)), t, hn::Zero(WordTag<Real>())};
-}
-
-/// formulas::one_place.
-template <class Real>
-HWY_INLINE V<Real> one_place(const RayVector<Real>& ray, V<Real> t) {
-  return hn::Add(ray.t_min, hn::Mul(set(formulas::resolution<Real>()), t));
 }
 
 /// The planes of one axis, entered and left.
@@ -82,30 +117,52 @@ struct Slab {
 
 /// 1 / v, and infinity where a component is 0 by formulas::is_parallel.
 template <class Real>
-HWY_INLINE V3<Real> inverses(const V3<Real>& v) {
+HWY_INLINE V3<Real> inverses(const V3<Real>& v, const Vec3<Real>& world_length) {
   const V<Real> one = set(Real(1)), infinite = set(std::numeric_limits<Real>::infinity());
-  const V<Real> x = hn::Abs(v.x), y = hn::Abs(v.y), z = hn::Abs(v.z);
-  const V<Real> least = hn::Mul(set(4 * std::numeric_limits<Real>::epsilon()), hn::Max(hn::Max(x, y), z));
-  return {hn::IfThenElse(hn::Le(x, least), infinite, hn::Div(one, v.x)),
-          hn::IfThenElse(hn::Le(y, least), infinite, hn::Div(one, v.y)),
-          hn::IfThenElse(hn::Le(z, least), infinite, hn::Div(one, v.z))};
+  const V3<Real> least = set3(world_length * (16 * std::numeric_limits<Real>::epsilon()));
+  return {hn::IfThenElse(hn::Le(hn::Abs(v.x), least.x), infinite, hn::Div(one, v.x)),
+          hn::IfThenElse(hn::Le(hn::Abs(v.y), least.y), infinite, hn::Div(one, v.y)),
+          hn::IfThenElse(hn::Le(hn::Abs(v.z), least.z), infinite, hn::Div(one, v.z))};
+}
+
+/// Of one axis.
+template <class Real>
+struct RayAlong {
+  V<Real> origin, direction, per_direction;
+  Real few_roundings;  ///< of a direction of the world, as in formulas::plane_crossed_at
+};
+
+/// formulas::plane_crossed_at, t being what it is where nothing grazes.
+template <class Real>
+HWY_INLINE V<Real> crossed_at(const RayVector<Real>& ray, const RayAlong<Real>& along, Real plane,
+                              V<Real> t) {
+  const V<Real> few = set(along.few_roundings);
+  const V<Real> from_origin = hn::Sub(set(plane), along.origin);
+  const V<Real> from_known =
+      hn::Sub(set(plane), hn::Add(along.origin, hn::Mul(ray.t_known, along.direction)));
+  const M<Real> is_grazing = hn::Le(hn::Abs(along.direction), few);
+  const M<Real> is_here = hn::And(is_grazing, hn::Le(hn::Abs(from_origin), hn::Mul(ray.t_min, few)));
+  const M<Real> is_there =
+      hn::And(is_grazing, hn::Lt(hn::Abs(from_known), hn::Mul(one_place<Real>(ray, ray.t_known), few)));
+  return hn::IfThenElse(is_here, hn::Zero(Tag<Real>()), hn::IfThenElse(is_there, ray.t_known, t));
 }
 
 template <class Real>
-HWY_INLINE Slab<Real> slab(const RayVector<Real>& ray, V<Real> origin, V<Real> per_direction, Real low,
-                           Real high) {
-  const V<Real> a = hn::Mul(hn::Sub(set(low), origin), per_direction);
-  const V<Real> b = hn::Mul(hn::Sub(set(high), origin), per_direction);
-  const M<Real> is_parallel = hn::Eq(per_direction, set(std::numeric_limits<Real>::infinity()));
+HWY_INLINE Slab<Real> slab(const RayVector<Real>& ray, const RayAlong<Real>& along, Real low, Real high) {
+  const V<Real> a = hn::Mul(hn::Sub(set(low), along.origin), along.per_direction);
+  const V<Real> b = hn::Mul(hn::Sub(set(high), along.origin), along.per_direction);
   Slab<Real> found{hn::Min(a, b), hn::Max(a, b), hn::MaskFromVec(hn::Zero(Tag<Real>()))};
-  if (HWY_LIKELY(none<Real>(is_parallel))) return found;
+  if (HWY_LIKELY(none<Real>(hn::Le(hn::Abs(along.direction), set(along.few_roundings))))) return found;
   const V<Real> infinite = set(std::numeric_limits<Real>::infinity());
-  found.enter = hn::IfThenElse(is_parallel, hn::Neg(infinite), found.enter);
-  found.leave = hn::IfThenElse(is_parallel, infinite, found.leave);
-  const V3<Real>& d = ray.direction;
-  const V<Real> beside = hn::Mul(ray.t_min, hn::Max(hn::Max(hn::Abs(d.x), hn::Abs(d.y)), hn::Abs(d.z)));
-  found.is_missed = hn::And(is_parallel, hn::Or(hn::Lt(origin, hn::Sub(set(low), beside)),
-                                                hn::Gt(origin, hn::Add(set(high), beside))));
+  const M<Real> ascends = hn::Gt(along.direction, hn::Zero(Tag<Real>()));
+  const V<Real> at_low = crossed_at<Real>(ray, along, low, a),
+                at_high = crossed_at<Real>(ray, along, high, b);
+  const M<Real> is_parallel = hn::Eq(along.per_direction, infinite);
+  found.enter = hn::IfThenElse(is_parallel, hn::Neg(infinite), hn::IfThenElse(ascends, at_low, at_high));
+  found.leave = hn::IfThenElse(is_parallel, infinite, hn::IfThenElse(ascends, at_high, at_low));
+  const V<Real> beside = hn::Mul(ray.t_min, set(along.few_roundings / formulas::grazing_slope<Real>()));
+  found.is_missed = hn::And(is_parallel, hn::Or(hn::Lt(along.origin, hn::Sub(set(low), beside)),
+                                                hn::Gt(along.origin, hn::Add(set(high), beside))));
   return found;
 }
 
@@ -138,9 +195,10 @@ HWY_INLINE Met<Real> meet(const RayVector<Real>& ray, const V3<Real>& per_direct
   const WordTag<Real> w;
   const V<Real> zero = set(Real(0));
   const V3<Real>& d = ray.direction;
-  Slab<Real> x = slab<Real>(ray, ray.origin.x, per_direction.x, box.min.x, box.max.x);
-  Slab<Real> y = slab<Real>(ray, ray.origin.y, per_direction.y, box.min.y, box.max.y);
-  Slab<Real> z = slab<Real>(ray, ray.origin.z, per_direction.z, box.min.z, box.max.z);
+  const Vec3<Real> few = ray.world_length * formulas::grazing_slope<Real>();
+  Slab<Real> x = slab<Real>(ray, {ray.origin.x, d.x, per_direction.x, few.x}, box.min.x, box.max.x);
+  Slab<Real> y = slab<Real>(ray, {ray.origin.y, d.y, per_direction.y, few.y}, box.min.y, box.max.y);
+  Slab<Real> z = slab<Real>(ray, {ray.origin.z, d.z, per_direction.z, few.z}, box.min.z, box.max.z);
   M<Real> is_missed = hn::Or(hn::Or(x.is_missed, y.is_missed), z.is_missed);
   if (ray.any_own) {
     const auto starts_on = [&](W<Real> face) HWY_ATTR { return starts_on_face(ray, face); };

@@ -25,7 +25,8 @@ struct RayView {
   Lanes3<Real>* per_direction;
   std::size_t begin;
   bool is_unit;
-  bool has_inverses = false;  ///< whether per_direction is set for the rays of the bundle
+  bool has_inverses = false;   ///< whether per_direction is set for the rays of the bundle
+  Vec3<Real> world_length{1};  ///< as in plumb::Ray
 };
 
 /// Rays within a group that has a matrix.
@@ -42,6 +43,12 @@ HWY_INLINE V3<Real> transformed_vector(const Affine<Real>& m, const V3<Real>& v)
 template <class Real>
 HWY_INLINE V3<Real> transformed_point(const Affine<Real>& m, const V3<Real>& p) {
   return add<Real>(transformed_vector<Real>(m, p), set3(m.origin));
+}
+
+/// formulas::absolute_product.
+template <class Real>
+HWY_INLINE Vec3<Real> absolute_product(const Affine<Real>& m, const Vec3<Real>& v) {
+  return glm::abs(m.x) * v.x + glm::abs(m.y) * v.y + glm::abs(m.z) * v.z;
 }
 
 /// Bounds of the rays whose lanes a mask keeps; the others do not count.
@@ -202,12 +209,13 @@ class Traversal {
     }
     const Group& group = scene_.groups[member.group];
     RayBounds bounds{origins.min(), origins.max(), directions.min(), directions.max()};
-    const Vec3<double> longest = glm::max(glm::abs(bounds.slope_min), glm::abs(bounds.slope_max));
-    bounds.reach = t_min_ * std::max({longest.x, longest.y, longest.z});
+    const Vec3<Real> world_length = absolute_product(member.member_from_group, view.world_length);
+    bounds.reach = t_min_ * static_cast<double>(std::max({world_length.x, world_length.y, world_length.z}));
     Bundle bundle(bounds, group);
     bundle.limit(static_cast<double>(farthest()) + t_min_);
     const std::uint64_t hits = hits_;
-    RayView<Real> inside{&local->origin, &local->direction, &local->per_direction, 0, false};
+    RayView<Real> inside{&local->origin, &local->direction, &local->per_direction, 0, false,
+                         false,          world_length};
     follow(group, bundle, inside, first + member.first);
     workspace_.leave_group();
     return hits_ != hits;
@@ -222,6 +230,9 @@ class Traversal {
       if (knows_starts_ && all_leave(ref, instance, view)) return false;
       if (!view.has_inverses) invert(view);
     }
+    const Vec3<Real> world_length = object_from_group != nullptr
+                                        ? absolute_product(*object_from_group, view.world_length)
+                                        : view.world_length;
     for (std::size_t i = 0; i < size_; i += lanes<Real>()) {
       ++statistics_.shape_tests;
       RayVector<Real> ray = ray_vector(view, i);
@@ -230,12 +241,13 @@ class Traversal {
         ray.origin = transformed_point<Real>(*object_from_group, ray.origin);
         ray.direction = transformed_vector<Real>(*object_from_group, ray.direction);
         ray.is_unit = false;
+        ray.world_length = world_length;
       }
       if (shape.kind() == Kind::sphere) {
         accept(meet<Real>(ray, scene_.spheres[shape.index()]), ref, instance, i, false);
       } else {
         const V3<Real> per_direction = object_from_group != nullptr
-                                           ? inverses<Real>(ray.direction)
+                                           ? inverses<Real>(ray.direction, world_length)
                                            : load3(*view.per_direction, view.begin + i);
         accept(meet<Real>(ray, per_direction, scene_.boxes[shape.index()]), ref, instance, i, true);
       }
@@ -247,6 +259,8 @@ class Traversal {
     return {load3(*view.origin, view.begin + i),
             load3(*view.direction, view.begin + i),
             load(&rays_.t_min[begin_ + i]),
+            load(&rays_.t[begin_ + i]),
+            view.world_length,
             view.is_unit,
             false,
             hn::MaskFromVec(hn::Zero(Tag<Real>())),
@@ -270,7 +284,7 @@ class Traversal {
 
   HWY_NOINLINE void invert(RayView<Real>& view) const {
     for (std::size_t i = view.begin; i < view.begin + size_; i += lanes<Real>())
-      store3<Real>(inverses<Real>(load3(*view.direction, i)), *view.per_direction, i);
+      store3<Real>(inverses<Real>(load3(*view.direction, i), view.world_length), *view.per_direction, i);
     view.has_inverses = true;
   }
 

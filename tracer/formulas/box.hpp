@@ -34,18 +34,27 @@ Corners<Real> box_from_center(const Vec3<Real>& center, const Vec3<Real>& edges)
   return {center - edges / Real(2), center + edges / Real(2)};
 }
 
-/// The largest component of a direction.
-template <class Real>
-Real longest_component(const Vec3<Real>& direction) {
-  using std::abs;
-  return std::max({abs(direction.x), abs(direction.y), abs(direction.z)});
-}
-
 /// No slide, a decision: a component that a few roundings of the direction may have made is 0.
 template <class Real>
-bool is_parallel(const Vec3<Real>& direction, int axis) {
+bool is_parallel(const Ray<Real>& ray, int axis) {
   using std::abs;
-  return abs(direction[axis]) <= 4 * std::numeric_limits<Real>::epsilon() * longest_component(direction);
+  return abs(ray.direction[axis]) <= 16 * std::numeric_limits<Real>::epsilon() * ray.world_length[axis];
+}
+
+/// No slide, a decision: the t at which a ray crosses the plane of an axis. Where it grazes the plane, a few
+/// roundings of a place move t far: a plane through the origin of the ray is crossed there, and one
+/// through what is known to be met ahead is crossed there.
+template <class Real>
+Real plane_crossed_at(const Ray<Real>& ray, int axis, Real plane) {
+  using std::abs;
+  const Real o = ray.origin[axis];
+  const Real d = ray.direction[axis];
+  const Real t = (plane - o) * (1 / d);
+  const Real few_roundings = grazing_slope<Real>() * ray.world_length[axis];
+  if (abs(d) > few_roundings) return t;
+  if (abs(plane - o) <= one_place(ray, Real(0)) * few_roundings) return 0;
+  if (abs(plane - (o + ray.t_known * d)) < one_place(ray, ray.t_known) * few_roundings) return ray.t_known;
+  return t;
 }
 
 /// No slide, a decision: where a ray meets planes of two or three axes at one place, the first axis counts.
@@ -67,23 +76,21 @@ template <class Real>
 std::optional<FaceHit<Real>> intersect_box(const Ray<Real>& ray, const Corners<Real>& box, Face start_face) {
   Vec3<Real> enter(-std::numeric_limits<Real>::infinity());
   Vec3<Real> leave(std::numeric_limits<Real>::infinity());
-  const Real beside = ray.t_min * longest_component(ray.direction);
   for (int axis = 0; axis < 3; ++axis) {
-    const Real o = ray.origin[axis];
-    if (is_parallel(ray.direction, axis)) {
+    if (is_parallel(ray, axis)) {
+      const Real o = ray.origin[axis];
+      const Real beside = ray.t_min * ray.world_length[axis];
       if (o < box.min[axis] - beside || o > box.max[axis] + beside) return std::nullopt;
       continue;
     }
-    const Real d = ray.direction[axis];
-    const bool ascending = d > 0;
+    const bool ascending = ray.direction[axis] > 0;
     const Face near_face = 2 * axis + (ascending ? 0 : 1);
     const Face far_face = 2 * axis + (ascending ? 1 : 0);
     if (start_face == far_face) return std::nullopt;  // starts there and moves away
-    const Real per_d = 1 / d;
     const Real near_plane = ascending ? box.min[axis] : box.max[axis];
     const Real far_plane = ascending ? box.max[axis] : box.min[axis];
-    enter[axis] = start_face == near_face ? Real(0) : (near_plane - o) * per_d;
-    leave[axis] = (far_plane - o) * per_d;
+    enter[axis] = start_face == near_face ? Real(0) : plane_crossed_at(ray, axis, near_plane);
+    leave[axis] = plane_crossed_at(ray, axis, far_plane);
   }
   const Real inside_from = std::max({enter.x, enter.y, enter.z});
   const Real inside_to = std::min({leave.x, leave.y, leave.z});

@@ -8,6 +8,24 @@
 
 namespace plumb::formulas {
 
+/// No slide, a decision: the t at which a ray crosses a sphere, as plane_crossed_at() has it for planes.
+/// `root` is of the solution, `offset` leads from the centre to the origin.
+template <class Real>
+Real sphere_crossed_at(const Ray<Real>& ray, const Vec3<Real>& offset, Real radius, Real root, Real t) {
+  using std::abs;
+  const Vec3<Real> across = glm::abs(offset + t * ray.direction);
+  const Real few_roundings = grazing_slope<Real>() * glm::dot(across, ray.world_length) / radius;
+  if (!(root <= few_roundings * radius)) return t;
+  const auto is_on_it = [&](Real at, Real rounding) {
+    return abs(glm::length(offset + at * ray.direction) - radius) < rounding * few_roundings;
+  };
+  const auto is_at = [&](Real known, Real rounding) {
+    return is_on_it(known, rounding) && is_on_it((known + t) / 2, rounding);
+  };
+  if (is_at(0, one_place(ray, Real(0)))) return 0;
+  return is_at(ray.t_known, one_place(ray, ray.t_known)) ? ray.t_known : t;
+}
+
 /// Slide "Kugel": the smallest positive root of a t^2 + b t + c = 0 with a = d.d,
 /// b = 2 d.(p0 - m), c = (p0 - m)^2 - r^2; no value for a miss. A tangent has one double root. A root up to
 /// t_min is 0 by all that rounding can tell, so the other one counts.
@@ -35,8 +53,9 @@ std::optional<Real> intersect_sphere(const Ray<Real>& ray, const Vec3<Real>& cen
   if (!(discriminant >= 0)) return std::nullopt;
   const Real root = sqrt(discriminant);
   const Real q = root - half_b;  // does not cancel when the ray moves toward the centre
-  const bool enters = half_b < 0 && c / q > ray.t_min;
-  const Real t = half_b >= 0 ? -c / (half_b + root) : (enters ? c / q : q / a);
+  const auto crossed_at = [&](Real t) { return sphere_crossed_at(ray, offset, radius, root, t); };
+  const Real enter = half_b < 0 ? crossed_at(c / q) : Real(0);
+  const Real t = enter > ray.t_min ? enter : crossed_at(half_b >= 0 ? -c / (half_b + root) : q / a);
   return t > ray.t_min ? std::optional<Real>(t) : std::nullopt;
 }
 

@@ -101,6 +101,14 @@ Ray<Real> transform_ray(const Mat4<Real>& m, const Ray<Real>& ray) {
   return {transform_point(m, ray.origin), transform_vector(m, ray.direction)};
 }
 
+/// No slide: |M| v, the most that vectors of up to these lengths along the axes come to along each axis. For
+/// a rotation that is at most sqrt(3) too much.
+template <class Real>
+Vec3<Real> absolute_product(const Mat4<Real>& m, const Vec3<Real>& v) {
+  return glm::abs(Vec3<Real>(m[0])) * v.x + glm::abs(Vec3<Real>(m[1])) * v.y +
+         glm::abs(Vec3<Real>(m[2])) * v.z;
+}
+
 /// Slide "Kameratransformation": C times a ray of camera space; the world ray is of unit direction.
 template <class Real>
 Ray<Real> world_ray(const Mat4<Real>& camera_matrix, const Ray<Real>& in_camera) {

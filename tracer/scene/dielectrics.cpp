@@ -30,10 +30,6 @@ std::optional<double> exit_distance(const Shape& shape, const Ray<double>& ray) 
 /// Far more than products of matrices round, so that no glass is passed by: all that costs is a look at more.
 constexpr double slack = 1e-9;
 
-Vec3d absolute_product(const Mat4<double>& m, const Vec3d& size) {
-  return glm::abs(Vec3d(m[0])) * size.x + glm::abs(Vec3d(m[1])) * size.y + glm::abs(Vec3d(m[2])) * size.z;
-}
-
 /// A box around the glass of a subtree, with room for rounding; empty at first.
 struct Room {
   Vec3d min{std::numeric_limits<double>::infinity()};
@@ -51,8 +47,8 @@ struct Room {
   Room moved(const Mat4<double>& m) const {
     const Vec3d middle = formulas::transform_point(m, (min + max) / 2.0);
     const Vec3d rounding =
-        absolute_product(m, glm::max(glm::abs(min), glm::abs(max))) + glm::abs(Vec3d(m[3]));
-    const Vec3d half = absolute_product(m, (max - min) / 2.0) + slack * rounding;
+        formulas::absolute_product(m, glm::max(glm::abs(min), glm::abs(max))) + glm::abs(Vec3d(m[3]));
+    const Vec3d half = formulas::absolute_product(m, (max - min) / 2.0) + slack * rounding;
     const bool is_known = std::isfinite(glm::dot(Vec3d(1), half) + glm::dot(Vec3d(1), glm::abs(middle)));
     return is_known ? Room{middle - half, middle + half} : Room{-Room{}.min, -Room{}.max};
   }
@@ -124,10 +120,11 @@ class Search {
     if (material == nullptr ? room == rooms_.end() : !is_glass(*material)) return;
     const Transform<double> here =
         shape.transform.empty() ? parent : formulas::compose(parent, transform_of<double>(shape.transform));
-    const Ray<double> ray = formulas::transform_ray(here.inverse, ray_);
+    Ray<double> ray = formulas::transform_ray(here.inverse, ray_);
+    ray.world_length = formulas::absolute_product(here.inverse, ray_.world_length);
     if (material == nullptr) {
       const Vec3d rounding =
-          absolute_product(here.inverse, glm::abs(ray_.origin)) + glm::abs(Vec3d(here.inverse[3]));
+          formulas::absolute_product(here.inverse, glm::abs(ray_.origin)) + glm::abs(Vec3d(here.inverse[3]));
       if (room->second.excludes(ray.origin, slack * rounding)) return;
       visit_all(children_of(shape), here, instance);
     } else if (const auto exit = exit_distance(shape, ray)) {

@@ -50,6 +50,13 @@ struct Surface {
   ShapeId shape;
 };
 
+/// The ray, that knows what is nearest so far.
+template <class Real>
+Ray<Real> known_up_to(const Hit<Real>& nearest, Ray<Real> ray) {
+  ray.t_known = std::min(ray.t_known, nearest.t);
+  return ray;
+}
+
 /// What a ray carries through the hierarchy besides itself.
 template <class Real, class Formulas>
 struct Query {
@@ -90,6 +97,8 @@ class Shape {
     if (is_identity_) return intersect_here(query, ray, first, nearest);
     Ray<Real> in_object = query.formulas->transform_ray(parent_from_object_.inverse, ray);
     in_object.t_min = ray.t_min;
+    in_object.t_known = ray.t_known;
+    in_object.world_length = formulas::absolute_product(parent_from_object_.inverse, ray.world_length);
     intersect_here(query, in_object, first, nearest);
   }
 
@@ -132,7 +141,8 @@ class Sphere final : public Shape<Real, Formulas> {
  private:
   void intersect_here(const Query<Real, Formulas>& query, const Ray<Real>& ray, InstanceId self,
                       Hit<Real>& nearest) const override {
-    const auto t = query.formulas->intersect_sphere(ray, center_, radius_, query.start.instance == self);
+    const auto t = query.formulas->intersect_sphere(known_up_to(nearest, ray), center_, radius_,
+                                                    query.start.instance == self);
     if (t && query.is_nearer(ray, self, *t, nearest.t)) nearest = {*t, {self, no_face}};
   }
   Surface<Real> surface_here(const Query<Real, Formulas>& query, const Ray<Real>& ray, InstanceId,
@@ -163,7 +173,7 @@ class Box final : public Shape<Real, Formulas> {
   void intersect_here(const Query<Real, Formulas>& query, const Ray<Real>& ray, InstanceId self,
                       Hit<Real>& nearest) const override {
     const Face start = query.start.instance == self ? query.start.face : no_face;
-    const auto hit = query.formulas->intersect_box(ray, corners_, start);
+    const auto hit = query.formulas->intersect_box(known_up_to(nearest, ray), corners_, start);
     if (hit && query.is_nearer(ray, self, hit->t, nearest.t)) nearest = {hit->t, {self, hit->face}};
   }
   Surface<Real> surface_here(const Query<Real, Formulas>& query, const Ray<Real>& ray, InstanceId,

@@ -138,6 +138,7 @@ class Tracer {
     // A straight line crosses a convex object at most twice, which bounds the loop.
     for (InstanceId crossings = 0; crossings <= 2 * world_.instances(); ++crossings) {
       ray = world_.with_t_min(ray);
+      ray.t_known = distance;
       const Hit<Real> hit = world_.nearest_hit(ray, start);
       if (hit.surface.instance == no_instance || !f_->blocks_light(hit.t, world_.before_light(ray, distance)))
         return delta;

@@ -53,7 +53,9 @@ class World {
   static Ray<Real> with_t_min(const Ray<Real>& ray) {
     const Vec3<Real> size = glm::abs(ray.origin);
     const Real here = formulas::resolution<Real>() * std::max({size.x, size.y, size.z});
-    return {ray.origin, ray.direction, std::max(ray.t_min, here)};
+    Ray<Real> known = ray;
+    known.t_min = std::max(ray.t_min, here);
+    return known;
   }
 
   /// The nearest hit with t > 0 of a ray of unit direction that starts on `start` (or in free space).
@@ -67,8 +69,9 @@ class World {
   /// of no instance if none does.
   Hit<Real> blocker(const Ray<Real>& ray, SurfaceId start, Real light_distance, InstanceId lit) const {
     Hit<Real> found;
-    root_->intersect({formulas_, start, true, before_light(ray, light_distance), lit, instances() - 1},
-                     with_t_min(ray), 0, found);
+    Ray<Real> to_light = with_t_min(ray);
+    to_light.t_known = before_light(ray, light_distance);
+    root_->intersect({formulas_, start, true, to_light.t_known, lit, instances() - 1}, to_light, 0, found);
     return found;
   }
 
