@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <random>
 #include <utility>
 
@@ -22,16 +23,20 @@ constexpr double units_of_shape = 50;
 
 double size_of(const Vec3d& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
+bool keeps_equals(int pattern) { return pattern >= Oracle::free_patterns; }
+
 /// Moves numbers one way or the other, the same way every time for a pattern.
 class Mover {
  public:
-  explicit Mover(int pattern) : random_(static_cast<std::uint32_t>(pattern) + 1) {}
+  Mover(int pattern, std::uint32_t seed) : keeps_equals_(keeps_equals(pattern)), seed_(seed), random_(seed) {}
 
-  void move(double& number) { number += either(std::abs(number)); }
+  void move(double& number) { move(number, std::abs(number), 0); }
   void move_each(Vec3d& numbers) {
-    for (int axis = 0; axis < 3; ++axis) move(numbers[axis]);
+    for (int axis = 0; axis < 3; ++axis) move(numbers[axis], std::abs(numbers[axis]), axis);
   }
-  void move(Vec3d& place, double size) { place += Vec3d(either(size), either(size), either(size)); }
+  void move(Vec3d& place, double size) {
+    for (int axis = 0; axis < 3; ++axis) move(place[axis], size, axis);
+  }
   void move(Vec3d& place) { move(place, size_of(place)); }
 
   void operator()(Sphere& sphere) {
@@ -55,8 +60,20 @@ class Mover {
   void operator()(Scale& step) { move_each(step.by); }
 
  private:
-  double either(double size) { return (random_() & 1U) != 0 ? last_digits * size : -last_digits * size; }
+  /// Equal numbers of one axis stay equal only where both way and length follow from them alone.
+  void move(double& number, double size, int axis) {
+    const double length = last_digits * (keeps_equals_ ? std::abs(number) : size);
+    number += is_up(number, axis) ? length : -length;
+  }
+  bool is_up(double number, int axis) {
+    if (keeps_equals_)
+      random_.seed(seed_ * 3 + static_cast<std::uint32_t>(axis) +
+                   static_cast<std::uint32_t>(std::hash<double>()(number)));
+    return (random_() & 1U) != 0;
+  }
 
+  bool keeps_equals_;
+  std::uint32_t seed_;
   std::mt19937 random_;
 };
 
@@ -86,8 +103,8 @@ double units_of_ray(const Scene& scene, textbook::InstanceId instances) {
 }  // namespace
 
 Scene with_other_last_digits(const Scene& scene, int pattern) {
-  Scene moved = with_instances_apart(scene);
-  Mover mover(pattern);
+  Scene moved = keeps_equals(pattern) ? scene : with_instances_apart(scene);
+  Mover mover(pattern, static_cast<std::uint32_t>(pattern) + 1);
   for (Shape& shape : moved.shapes) {
     std::visit(mover, shape.geometry);
     for (TransformStep& step : shape.transform) std::visit(mover, step);
@@ -98,7 +115,8 @@ Scene with_other_last_digits(const Scene& scene, int pattern) {
 
 Camera with_other_last_digits(const Camera& camera, int pattern) {
   Camera moved = camera;
-  Mover mover(~pattern);  // not as the first shape is moved
+  // Not as the first shape is moved, unless its numbers are equal and are to stay so.
+  Mover mover(pattern, static_cast<std::uint32_t>(keeps_equals(pattern) ? pattern : ~pattern) + 1);
   mover.move(moved.eye);
   mover.move(moved.direction);
   mover.move(moved.up);

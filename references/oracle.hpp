@@ -17,6 +17,8 @@ namespace plumb::references {
 /// the box), every scale and angle by as much of itself, one way or the other as the numbered pattern says.
 /// Colours, exponents and refractive indices stay: a picture follows them continuously. Instances of a shared
 /// shape are moved apart, unless they are more than 2,000 (see with_instances_apart).
+/// Patterns from Oracle::free_patterns on keep what is equal: a number is moved by itself alone, by as much
+/// of itself, and instances stay together.
 Scene with_other_last_digits(const Scene& scene, int pattern);
 /// The same for where a camera stands and looks, and its field of view.
 Camera with_other_last_digits(const Camera& camera, int pattern);
@@ -38,13 +40,14 @@ struct Answers {
 ///
 /// What it is sure of. A scene's numbers were read from text and rounded to double, and are not known beyond
 /// their last digit: two scenes that differ by no more are the same scene. So the oracle also traces the
-/// pixel in 32 scenes whose last digits differ (with_other_last_digits). When the answers are farther apart
+/// pixel in 48 scenes whose last digits differ (with_other_last_digits). When the answers are farther apart
 /// than the tolerance, the pixel is UNDECIDED: a sample on a silhouette, on an edge of a shadow, at the
 /// critical angle, a chain of mirrors that enlarges the last digit. Surfaces that coincide are told apart by
 /// those moves, so a pixel that depends on which of them comes first is undecided, too: the lecture takes the
-/// first in the file by convention, and others may take either. Moves are tried until they are told apart or
-/// all are done, so "decided" means that 32 moves found nothing: an edge that each of them crosses with
-/// probability 1/2 is missed once in 4e9.
+/// first in the file by convention, and others may take either. In 16 of the moves they stay together: that
+/// surfaces at one place are crossed once is an answer, too, beside an eye that is a digit farther. Moves are
+/// tried until they are told apart or all are done, so "decided" means that 48 moves found nothing: an edge
+/// that each of the first 32 crosses with probability 1/2 is missed once in 4e9.
 ///
 /// A ray that only touches an edge of a box meets the face by which it enters, and the moves add the miss. No
 /// scene nearby shows the face by which it leaves, from behind: a renderer that takes that one is wrong.
@@ -56,7 +59,8 @@ struct Answers {
 /// be.
 class Oracle {
  public:
-  static constexpr int patterns = 32;
+  static constexpr int free_patterns = 32;  ///< that move each number by its own
+  static constexpr int patterns = 48;
 
   /// All must outlive it.
   Oracle(const Scene& scene, const Camera& camera, int width, int height, const RenderOptions& options,
@@ -68,7 +72,7 @@ class Oracle {
   /// Linear colour of the pixel centre; row 0 is the top row. Nothing when the pixel has more rays than are
   /// traced (most_rays_of_pixel).
   std::optional<Rgb<Quad>> colour(int x, int y) const;
-  /// The same in the scene that a pattern in 0..31 gives; its world is made when it is first asked for.
+  /// The same in the scene that a pattern in 0..47 gives; its world is made when it is first asked for.
   std::optional<Rgb<Quad>> colour_when_moved(int x, int y, int pattern) const;
 
   /// The answers of the scene and of all its moves. Nothing as above, or when the work is over before the
