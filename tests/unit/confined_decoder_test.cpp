@@ -3,15 +3,23 @@
 #include <gtest/gtest.h>
 
 #include <sys/wait.h>
+#include <unistd.h>
 
+#include <array>
+#include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <memory>
+#include <system_error>
 #include <thread>
 #include <vector>
 
 #include "tests/support/run.hpp"
 #include "tracer/image/confined_decoder.hpp"
+#include "tracer/image/decoded_message.hpp"
+#include "tracer/image/descriptor.hpp"
 #include "tracer/image/io.hpp"
 
 namespace plumb::tests {
@@ -80,6 +88,23 @@ TEST(ConfinedDecoder, IsStartedAgainWhenItWasKilled) {
   waitid(P_PID, static_cast<id_t>(before[0]), &ended, WEXITED | WNOWAIT);
   EXPECT_EQ(first_red(path), 7);
   EXPECT_NE(decoders(), before);
+}
+
+TEST(ReadToEnd, EndsWithTheLastWriterOrInTime) {
+  std::array<int, 2> ends{};
+  ASSERT_EQ(::pipe(ends.data()), 0);
+  const Descriptor from(ends[0]);
+  auto to = std::make_unique<Descriptor>(ends[1]);
+  ASSERT_EQ(::write(to->number(), "ab", 2), 2);
+  try {
+    read_to_end(from.number(), std::chrono::milliseconds(20));
+    ADD_FAILURE() << "somebody may still write";
+  } catch (const std::system_error& error) {
+    EXPECT_EQ(error.code().value(), ETIMEDOUT);
+  }
+  ASSERT_EQ(::write(to->number(), "cd", 2), 2);
+  to.reset();
+  EXPECT_EQ(read_to_end(from.number(), std::chrono::seconds(10)), "cd");
 }
 
 }  // namespace

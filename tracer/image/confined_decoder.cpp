@@ -1,7 +1,6 @@
 #include "tracer/image/confined_decoder.hpp"
 
 #include <fcntl.h>
-#include <poll.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -57,26 +56,6 @@ struct Pipe {
   std::optional<Descriptor> from, to;
 };
 
-/// Everything up to the end; nothing once the time is over or it is longer than any true message.
-std::optional<std::string> read_message(int from, int seconds) {
-  constexpr std::size_t most = std::size_t{1} << 20;
-  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(seconds);
-  std::string message;
-  while (message.size() < most) {
-    const auto left =
-        std::chrono::duration_cast<std::chrono::milliseconds>(end - std::chrono::steady_clock::now()).count();
-    pollfd waited{from, POLLIN, 0};
-    if (left <= 0) return std::nullopt;
-    if (::poll(&waited, 1, static_cast<int>(left)) < 0 && errno != EINTR) return std::nullopt;
-    if (waited.revents == 0) continue;
-    std::array<char, 4096> bytes;
-    const ssize_t got = ::read(from, bytes.data(), bytes.size());
-    if (got == 0) return message;
-    if (got > 0) message.append(bytes.data(), static_cast<std::size_t>(got));
-  }
-  return std::nullopt;
-}
-
 struct Mapping {
   Mapping(int file, std::size_t length)
       : bytes(::mmap(nullptr, length, PROT_READ, MAP_PRIVATE, file, 0)), size(length) {
@@ -88,6 +67,20 @@ struct Mapping {
   void* bytes;
   std::size_t size;
 };
+
+/// A decoder can wait for nothing, so its limit of computing ends it: that there is no answer so long after
+/// is the machine's trouble, and says nothing of the file.
+std::string answer_of(const std::string& path, int from, int seconds) {
+  constexpr int patience = 6;
+  try {
+    return read_to_end(from, std::chrono::seconds(patience * seconds));
+  } catch (const std::system_error& error) {
+    throw std::system_error(error.code(), path + ": cannot be decoded now: in " +
+                                              std::to_string(patience * seconds) +
+                                              " s its decoder neither ended nor used its " +
+                                              std::to_string(seconds) + " s of computing");
+  }
+}
 
 /// How the process ended, as waitpid says it.
 int read_status(int from, const std::string& path) {
@@ -153,17 +146,16 @@ std::optional<PixelRows> decoded_by(bool has_other_decoder, const std::string& p
       {kind, limits, seconds, has_other_decoder, part},
       {source.number(), pixels.number(), message_pipe.to->number(), status_pipe.to->number()});
   message_pipe.to.reset(), status_pipe.to.reset();
-  // It can wait for nothing, so its limit of computing ends it; a busy machine may take longer for that.
-  // Where we give up, it is killed because nobody holds the other ends of its pipes any more.
-  constexpr int patience = 6;
-  const auto message = read_message(message_pipe.from->number(), patience * seconds);
-  const int status = message ? read_status(status_pipe.from->number(), path) : 0;
-  const bool is_late = !message || (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU);
-  if (is_late)
+  const std::string message = answer_of(path, message_pipe.from->number(), seconds);
+  const auto decoded = decoded_message(message);
+  // Whoever goes on writing has not ended; it is killed, because nobody holds the other ends of its pipes any
+  // more once we are gone from here.
+  const int status =
+      message.size() < longest_message ? read_status(status_pipe.from->number(), path) : SIGKILL;
+  if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU)
     throw std::runtime_error(path + ": cannot be read: decoding it took more than " +
                              std::to_string(seconds) +
-                             " s, so it was given up; it is damaged, or made to take long");
-  const auto decoded = decoded_message(*message);
+                             " s of computing, so it was given up; it is damaged, or made to take long");
   if (WIFEXITED(status) && WEXITSTATUS(status) == exit_without_module)
     throw std::system_error(ENOENT, std::generic_category(), decoded ? decoded->why : decoder_name);
   if (status != 0 || !decoded)

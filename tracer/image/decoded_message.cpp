@@ -1,7 +1,13 @@
 #include "tracer/image/decoded_message.hpp"
 
+#include <poll.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
 #include <charconv>
 #include <stdexcept>
+#include <system_error>
 
 #include "tracer/image/channel_names.hpp"
 
@@ -125,6 +131,25 @@ std::optional<DecodedMessage> decoded_message(std::string_view text) {
   } catch (const std::invalid_argument&) {
     return std::nullopt;
   }
+}
+
+std::string read_to_end(int from, std::chrono::milliseconds patience) {
+  using std::chrono::steady_clock;
+  const auto end = steady_clock::now() + patience;
+  std::string text;
+  while (text.size() < longest_message) {
+    const auto left = std::chrono::ceil<std::chrono::milliseconds>(end - steady_clock::now()).count();
+    if (left < 0) throw std::system_error(ETIMEDOUT, std::generic_category());
+    pollfd waited{from, POLLIN, 0};
+    if (::poll(&waited, 1, static_cast<int>(left)) < 0 && errno != EINTR)
+      throw std::system_error(errno, std::generic_category());
+    if (waited.revents == 0) continue;
+    std::array<char, 4096> bytes;
+    const ssize_t got = ::read(from, bytes.data(), bytes.size());
+    if (got == 0) return text;
+    if (got > 0) text.append(bytes.data(), static_cast<std::size_t>(got));
+  }
+  return text;
 }
 
 }  // namespace plumb
