@@ -36,6 +36,7 @@ BoundedComparison judge_own(const Scene& scene, const Camera& camera, const Rend
       Judge::baseline};
   judge(traced, result);
   result.comparison = bounded.comparison;
+  result.mask = mask_of(job.bounds, job.image.width, job.image.height);
   if (bounded.agrees()) result.status = Status::agree;
   if (job.keeps_pictures) {
     const AttributionJob shown{scene,
@@ -53,8 +54,8 @@ BoundedComparison judge_own(const Scene& scene, const Camera& camera, const Rend
 
 BoundedComparison judge_others(const BaselineJob& job, SceneResult& result) {
   const BoundedComparison bounded = compare_within(job.baseline, job.image, job.bounds);
-  const PixelMask mask = mask_of(job.bounds, job.image.width, job.image.height);
-  for (const PixelPlace place : pixels_over(job.baseline, job.image, job.bounds.limit, mask))
+  result.mask = mask_of(job.bounds, job.image.width, job.image.height);
+  for (const PixelPlace place : pixels_over(job.baseline, job.image, job.bounds.limit, result.mask))
     result.budget.pixels.push_back({place.x, place.y, Cause::unexplained});
   result.metrics = cheap_metrics(view_of(job.baseline), view_of(job.image));
   result.comparison = bounded.comparison;

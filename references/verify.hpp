@@ -12,6 +12,7 @@
 #include "references/judgement.hpp"
 #include "references/metrics/metrics.hpp"
 #include "references/pictures.hpp"
+#include "references/pixel_mask.hpp"
 #include "references/renderer.hpp"
 #include "references/terms.hpp"
 #include "tracer/scene/dialect.hpp"
@@ -69,6 +70,7 @@ struct SceneResult {
   int height = 0;
   std::string not_compared = "nothing was compared";  ///< why there are no figures; empty when there are
   Comparison comparison;
+  PixelMask mask;   ///< of the pixels that count; some do not where bounds leave regions out
   Metrics metrics;  ///< the cheap ones
   Budget budget;
   std::vector<TermResult> terms;       ///< all, when they were asked for

@@ -70,6 +70,7 @@ void SceneReport::add(const SceneResult& result, const std::optional<std::string
     entry.reference = result.pictures->reference;
     entry.test = result.pictures->ours;
     entry.notes = notes_of(result);
+    entry.mask = result.mask;
     if (options)
       entry.explain_command = "plumb explain" + *options + " " + references::shell_word(result.scene);
   }

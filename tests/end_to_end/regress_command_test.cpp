@@ -448,6 +448,12 @@ TEST_F(RegressReport, AComparedSceneHasFigures) {
   EXPECT_EQ(result.at("pixels_over"), 0);
 }
 
+TEST_F(RegressReport, WhatIsIgnoredIsMarked) {
+  approve("ball");
+  EXPECT_EQ(shown().at("causes"), Json::array());
+  EXPECT_EQ(shown({"--ignore", "0,0,4,4"}).at("causes"), Json::array({"ignored"}));
+}
+
 TEST_F(RegressReport, NeitherHasTheTable) {
   EXPECT_TRUE(contains(regress({}).out, " 32x24          -        -       -       -  differ\n"))
       << regress({}).out;
