@@ -38,6 +38,7 @@ TEST_F(CompareReport, SaysWhatTheCommandSays) {
   EXPECT_EQ(found.at("result").at("pixels_over"), 1);
   EXPECT_EQ(found.at("result").at("worst").at("x"), 1);
   EXPECT_EQ(found.at("causes"), Json::array({"over"}));
+  EXPECT_FALSE(found.at("result").contains("not_compared")) << "on a page that is why there are no figures";
   EXPECT_EQ(compare("a.ppm", "a.ppm", "same").exit_code, 0);
   EXPECT_EQ(scene("same").at("causes"), Json::array());
 }
