@@ -156,6 +156,12 @@ textbook::FormulaTable<double> Perturbation::formulas(int pattern) {
   return table;
 }
 
+textbook::FormulaTable<double> Perturbation::reference_shadows() {
+  textbook::FormulaTable<double> table;
+  table.blocks_light = &blocks_from_afar;
+  return table;
+}
+
 void Perturbation::begin_pixel(int pattern, std::size_t pixel) const {
   nearest_hit = step_;
   nearest_blocker = 10 * nearest_hit;  // POV-Ray's shadow tolerance, 1e-3 of 1e4 units

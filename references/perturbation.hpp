@@ -40,6 +40,8 @@ class Perturbation {
   Scene moved(int pattern) const;
   Scene with_one_moved(ShapeId shape, int pattern) const;
   static textbook::FormulaTable<double> formulas(int pattern);
+  /// What is nearer to a lit point than 10 steps casts no shadow on it.
+  static textbook::FormulaTable<double> reference_shadows();
   /// To be called in the thread that traces, before each pixel: the formulas of a pattern have a state.
   void begin_pixel(int pattern, std::size_t pixel) const;
 

@@ -144,5 +144,22 @@ TEST_F(Ties, WhatTheExportDoesNotDecideIsUnverified) {
   EXPECT_GT(unverified, 48U * 36 / 100) << "POV-Ray takes the first in both";
 }
 
+/// Rays on the diagonal leave at the edge. Of the two faces there only one is lit, and only where the box
+/// does not hide the light from what is at one place with the other: POV-Ray may take it.
+TEST_F(Ties, OfTwoFacesAtAnEdgeTheOtherIsProven) {
+  std::vector<std::string> scenes;
+  for (const char* shapes :
+       {"define shape box b -2 -2 -9 2 2 -7 glassy\ndefine light l 8 -2 0 1 1 1 10\n",
+        "define shape box b -1.5 -1.5 -8 1.5 1.5 -6 glassy\ndefine light l 6 -1.5 0 1 1 1 10\n",
+        "define shape box b -0.5 -0.5 -3 0.5 0.5 -2 glassy\ndefine light l 4 -0.5 0 1 1 1 10\n"})
+    scenes.push_back(
+        file("edge" + std::to_string(scenes.size()) + ".sdf",
+             std::string("define material glassy 0 0 0 0.5 0.4 0.9 0 0 0 1 transmit 0.5 0.5 0.5 eta 0.5\n"
+                         "background 1 0 0\ndefine camera eye 45\nrender eye x.ppm 64 48\n") +
+                 shapes));
+  for (const SceneResult& result : references::verify(scenes, {}, {}).scenes)
+    EXPECT_EQ(result.status, Status::agree) << result.scene << ": " << result.message;
+}
+
 }  // namespace
 }  // namespace plumb::tests
