@@ -20,16 +20,29 @@ struct Met {
   W<Real> face;  ///< of a box
 };
 
+/// What a grazed surface does not tell apart, in the space of the shape: as in formulas::plane_crossed_at.
+template <class Real>
+struct Grazing {
+  Vec3<Real> few_roundings;  ///< of a direction of the world, along each axis
+  Real most;                 ///< along any direction: their sum
+
+  explicit Grazing(const Vec3<Real>& world_length)
+      : few_roundings(world_length * formulas::grazing_slope<Real>()),
+        most(few_roundings.x + few_roundings.y + few_roundings.z) {}
+  Vec3<Real> world_length() const { return few_roundings / formulas::grazing_slope<Real>(); }
+};
+
 /// One vector of rays in the space of the shape.
 template <class Real>
 struct RayVector {
   V3<Real> origin, direction;
-  V<Real> t_min;            ///< rounding cannot tell hits up to here from the origin
-  V<Real> t_known;          ///< of a light ahead, or of the nearest hit so far
-  Vec3<Real> world_length;  ///< as in plumb::Ray
-  bool is_unit;             ///< directions
-  bool any_own;             ///< whether a lane starts on the shape
-  M<Real> own;              ///< those that do
+  V<Real> t_min;      ///< rounding cannot tell hits up to here from the origin
+  const Real* known;  ///< t of a light ahead, or of the nearest hit so far
+  const Grazing<Real>* grazing;
+  bool may_graze;  ///< whether a lane may graze a plane of a box
+  bool is_unit;    ///< directions
+  bool any_own;    ///< whether a lane starts on the shape
+  M<Real> own;     ///< those that do
   W<Real> own_face;
 };
 
@@ -52,14 +65,13 @@ HWY_INLINE V<Real> discriminant_of(const RayVector<Real>& ray, const Sphere<Real
 
 /// formulas::sphere_crossed_at.
 template <class Real>
-HWY_NOINLINE V<Real> crossed_at(const RayVector<Real>& ray, const V3<Real>& offset, Real radius, V<Real> root,
-                                V<Real> t) {
+HWY_NOINLINE V<Real> crossed_at(RayVector<Real> ray, V3<Real> offset, Real radius, V<Real> root, V<Real> t) {
   const auto from_center = [&](V<Real> at)
                                HWY_ATTR { return add<Real>(offset, scaled<Real>(ray.direction, at)); };
   const V3<Real> there = from_center(t);
   const V3<Real> across{hn::Abs(there.x), hn::Abs(there.y), hn::Abs(there.z)};
-  const V<Real> few = hn::Div(
-      hn::Mul(set(formulas::grazing_slope<Real>()), dot<Real>(across, set3(ray.world_length))), set(radius));
+  const V<Real> few = hn::Div(dot<Real>(across, set3(ray.grazing->few_roundings)), set(radius));
+  const V<Real> t_known = load(ray.known);
   const auto is_at = [&](V<Real> known, V<Real> rounding) HWY_ATTR {
     const auto is_on_it = [&](V<Real> at) HWY_ATTR {
       const V3<Real> p = from_center(at);
@@ -70,8 +82,8 @@ HWY_NOINLINE V<Real> crossed_at(const RayVector<Real>& ray, const V3<Real>& offs
   const M<Real> grazes = hn::Le(root, hn::Mul(few, set(radius)));
   const V<Real> zero = hn::Zero(Tag<Real>());
   const M<Real> is_here = hn::And(grazes, is_at(zero, ray.t_min));
-  const M<Real> is_there = hn::And(grazes, is_at(ray.t_known, one_place<Real>(ray, ray.t_known)));
-  return hn::IfThenElse(is_here, zero, hn::IfThenElse(is_there, ray.t_known, t));
+  const M<Real> is_there = hn::And(grazes, is_at(t_known, one_place<Real>(ray, t_known)));
+  return hn::IfThenElse(is_here, zero, hn::IfThenElse(is_there, t_known, t));
 }
 
 /// formulas::intersect_sphere.
@@ -90,10 +102,7 @@ HWY_INLINE Met<Real> meet(const RayVector<Real>& ray, const Sphere<Real>& sphere
   const V<Real> root = hn::Sqrt(discriminant);
   const V<Real> q = hn::Add(root, hn::Abs(half_b));  // root -+ half_b, whichever does not cancel
   V<Real> t = hn::Div(hn::Abs(c), q);
-  // No few_roundings are more than this.
-  const Real most = formulas::grazing_slope<Real>() *
-                    (ray.world_length.x + ray.world_length.y + ray.world_length.z) * sphere.radius;
-  const bool may_graze = !none<Real>(hn::And(mask, hn::Le(root, set(most))));
+  const bool may_graze = !none<Real>(hn::And(mask, hn::Le(root, set(ray.grazing->most * sphere.radius))));
   if (HWY_UNLIKELY(may_graze)) t = crossed_at<Real>(ray, offset, sphere.radius, root, t);
   const M<Real> leaves = hn::And(is_inward, hn::Or(hn::Not(is_outside), hn::Le(t, ray.t_min)));
   if (!none<Real>(hn::And(mask, leaves))) {
@@ -117,9 +126,10 @@ struct Slab {
 
 /// 1 / v, and infinity where a component is 0 by formulas::is_parallel.
 template <class Real>
-HWY_INLINE V3<Real> inverses(const V3<Real>& v, const Vec3<Real>& world_length) {
+HWY_INLINE V3<Real> inverses(const V3<Real>& v, const Grazing<Real>& grazing) {
   const V<Real> one = set(Real(1)), infinite = set(std::numeric_limits<Real>::infinity());
-  const V3<Real> least = set3(world_length * (16 * std::numeric_limits<Real>::epsilon()));
+  constexpr Real share = 16 * std::numeric_limits<Real>::epsilon() / formulas::grazing_slope<Real>();
+  const V3<Real> least = set3(grazing.few_roundings * share);
   return {hn::IfThenElse(hn::Le(hn::Abs(v.x), least.x), infinite, hn::Div(one, v.x)),
           hn::IfThenElse(hn::Le(hn::Abs(v.y), least.y), infinite, hn::Div(one, v.y)),
           hn::IfThenElse(hn::Le(hn::Abs(v.z), least.z), infinite, hn::Div(one, v.z))};
@@ -129,34 +139,41 @@ HWY_INLINE V3<Real> inverses(const V3<Real>& v, const Vec3<Real>& world_length) 
 template <class Real>
 struct RayAlong {
   V<Real> origin, direction, per_direction;
-  Real few_roundings;  ///< of a direction of the world, as in formulas::plane_crossed_at
+  Real few_roundings;  ///< as Grazing has it
 };
 
-/// formulas::plane_crossed_at, t being what it is where nothing grazes.
 template <class Real>
-HWY_INLINE V<Real> crossed_at(const RayVector<Real>& ray, const RayAlong<Real>& along, Real plane,
-                              V<Real> t) {
-  const V<Real> few = set(along.few_roundings);
-  const V<Real> from_origin = hn::Sub(set(plane), along.origin);
-  const V<Real> from_known =
-      hn::Sub(set(plane), hn::Add(along.origin, hn::Mul(ray.t_known, along.direction)));
-  const M<Real> is_grazing = hn::Le(hn::Abs(along.direction), few);
-  const M<Real> is_here = hn::And(is_grazing, hn::Le(hn::Abs(from_origin), hn::Mul(ray.t_min, few)));
-  const M<Real> is_there =
-      hn::And(is_grazing, hn::Lt(hn::Abs(from_known), hn::Mul(one_place<Real>(ray, ray.t_known), few)));
-  return hn::IfThenElse(is_here, hn::Zero(Tag<Real>()), hn::IfThenElse(is_there, ray.t_known, t));
+HWY_INLINE Slab<Real> slab(const RayAlong<Real>& along, Real low, Real high) {
+  const V<Real> a = hn::Mul(hn::Sub(set(low), along.origin), along.per_direction);
+  const V<Real> b = hn::Mul(hn::Sub(set(high), along.origin), along.per_direction);
+  return {hn::Min(a, b), hn::Max(a, b), hn::MaskFromVec(hn::Zero(Tag<Real>()))};
 }
 
 template <class Real>
-HWY_INLINE Slab<Real> slab(const RayVector<Real>& ray, const RayAlong<Real>& along, Real low, Real high) {
-  const V<Real> a = hn::Mul(hn::Sub(set(low), along.origin), along.per_direction);
-  const V<Real> b = hn::Mul(hn::Sub(set(high), along.origin), along.per_direction);
-  Slab<Real> found{hn::Min(a, b), hn::Max(a, b), hn::MaskFromVec(hn::Zero(Tag<Real>()))};
-  if (HWY_LIKELY(none<Real>(hn::Le(hn::Abs(along.direction), set(along.few_roundings))))) return found;
+HWY_INLINE M<Real> grazes(const RayAlong<Real>& along) {
+  return hn::Le(hn::Abs(along.direction), set(along.few_roundings));
+}
+
+/// formulas::plane_crossed_at.
+template <class Real>
+HWY_INLINE V<Real> crossed_at(const RayVector<Real>& ray, const RayAlong<Real>& along, Real plane) {
+  const V<Real> few = set(along.few_roundings), t_known = load(ray.known);
+  const V<Real> from_origin = hn::Sub(set(plane), along.origin);
+  const V<Real> from_known = hn::Sub(set(plane), hn::Add(along.origin, hn::Mul(t_known, along.direction)));
+  const M<Real> is_here = hn::And(grazes(along), hn::Le(hn::Abs(from_origin), hn::Mul(ray.t_min, few)));
+  const M<Real> is_there =
+      hn::And(grazes(along), hn::Lt(hn::Abs(from_known), hn::Mul(one_place<Real>(ray, t_known), few)));
+  const V<Real> t = hn::Mul(from_origin, along.per_direction);
+  return hn::IfThenElse(is_here, hn::Zero(Tag<Real>()), hn::IfThenElse(is_there, t_known, t));
+}
+
+/// The same slab, where some lanes graze its planes or are parallel to them.
+template <class Real>
+HWY_NOINLINE Slab<Real> seen_closely(RayVector<Real> ray, RayAlong<Real> along, Real low, Real high) {
+  Slab<Real> found;
   const V<Real> infinite = set(std::numeric_limits<Real>::infinity());
   const M<Real> ascends = hn::Gt(along.direction, hn::Zero(Tag<Real>()));
-  const V<Real> at_low = crossed_at<Real>(ray, along, low, a),
-                at_high = crossed_at<Real>(ray, along, high, b);
+  const V<Real> at_low = crossed_at<Real>(ray, along, low), at_high = crossed_at<Real>(ray, along, high);
   const M<Real> is_parallel = hn::Eq(along.per_direction, infinite);
   found.enter = hn::IfThenElse(is_parallel, hn::Neg(infinite), hn::IfThenElse(ascends, at_low, at_high));
   found.leave = hn::IfThenElse(is_parallel, infinite, hn::IfThenElse(ascends, at_high, at_low));
@@ -195,10 +212,19 @@ HWY_INLINE Met<Real> meet(const RayVector<Real>& ray, const V3<Real>& per_direct
   const WordTag<Real> w;
   const V<Real> zero = set(Real(0));
   const V3<Real>& d = ray.direction;
-  const Vec3<Real> few = ray.world_length * formulas::grazing_slope<Real>();
-  Slab<Real> x = slab<Real>(ray, {ray.origin.x, d.x, per_direction.x, few.x}, box.min.x, box.max.x);
-  Slab<Real> y = slab<Real>(ray, {ray.origin.y, d.y, per_direction.y, few.y}, box.min.y, box.max.y);
-  Slab<Real> z = slab<Real>(ray, {ray.origin.z, d.z, per_direction.z, few.z}, box.min.z, box.max.z);
+  const Vec3<Real>& few = ray.grazing->few_roundings;
+  const RayAlong<Real> along_x{ray.origin.x, d.x, per_direction.x, few.x};
+  const RayAlong<Real> along_y{ray.origin.y, d.y, per_direction.y, few.y};
+  const RayAlong<Real> along_z{ray.origin.z, d.z, per_direction.z, few.z};
+  Slab<Real> x = slab<Real>(along_x, box.min.x, box.max.x);
+  Slab<Real> y = slab<Real>(along_y, box.min.y, box.max.y);
+  Slab<Real> z = slab<Real>(along_z, box.min.z, box.max.z);
+  if (HWY_UNLIKELY(ray.may_graze) &&
+      !none<Real>(hn::Or(hn::Or(grazes(along_x), grazes(along_y)), grazes(along_z)))) {
+    x = seen_closely<Real>(ray, along_x, box.min.x, box.max.x);
+    y = seen_closely<Real>(ray, along_y, box.min.y, box.max.y);
+    z = seen_closely<Real>(ray, along_z, box.min.z, box.max.z);
+  }
   M<Real> is_missed = hn::Or(hn::Or(x.is_missed, y.is_missed), z.is_missed);
   if (ray.any_own) {
     const auto starts_on = [&](W<Real> face) HWY_ATTR { return starts_on_face(ray, face); };

@@ -25,8 +25,9 @@ struct RayView {
   Lanes3<Real>* per_direction;
   std::size_t begin;
   bool is_unit;
-  bool has_inverses = false;   ///< whether per_direction is set for the rays of the bundle
-  Vec3<Real> world_length{1};  ///< as in plumb::Ray
+  bool has_inverses = false;  ///< whether per_direction is set for the rays of the bundle
+  Grazing<Real> grazing{Vec3<Real>(1)};
+  bool may_graze = true;  ///< as in RayVector; known with the inverses
 };
 
 /// Rays within a group that has a matrix.
@@ -209,13 +210,13 @@ class Traversal {
     }
     const Group& group = scene_.groups[member.group];
     RayBounds bounds{origins.min(), origins.max(), directions.min(), directions.max()};
-    const Vec3<Real> world_length = absolute_product(member.member_from_group, view.world_length);
+    const Vec3<Real> world_length = absolute_product(member.member_from_group, view.grazing.world_length());
     bounds.reach = t_min_ * static_cast<double>(std::max({world_length.x, world_length.y, world_length.z}));
     Bundle bundle(bounds, group);
     bundle.limit(static_cast<double>(farthest()) + t_min_);
     const std::uint64_t hits = hits_;
-    RayView<Real> inside{&local->origin, &local->direction, &local->per_direction, 0, false,
-                         false,          world_length};
+    RayView<Real> inside{&local->origin, &local->direction,          &local->per_direction, 0, false,
+                         false,          Grazing<Real>(world_length)};
     follow(group, bundle, inside, first + member.first);
     workspace_.leave_group();
     return hits_ != hits;
@@ -230,9 +231,10 @@ class Traversal {
       if (knows_starts_ && all_leave(ref, instance, view)) return false;
       if (!view.has_inverses) invert(view);
     }
-    const Vec3<Real> world_length = object_from_group != nullptr
-                                        ? absolute_product(*object_from_group, view.world_length)
-                                        : view.world_length;
+    const Grazing<Real> grazing =
+        object_from_group != nullptr
+            ? Grazing<Real>(absolute_product(*object_from_group, view.grazing.world_length()))
+            : view.grazing;
     for (std::size_t i = 0; i < size_; i += lanes<Real>()) {
       ++statistics_.shape_tests;
       RayVector<Real> ray = ray_vector(view, i);
@@ -241,13 +243,14 @@ class Traversal {
         ray.origin = transformed_point<Real>(*object_from_group, ray.origin);
         ray.direction = transformed_vector<Real>(*object_from_group, ray.direction);
         ray.is_unit = false;
-        ray.world_length = world_length;
+        ray.grazing = &grazing;
+        ray.may_graze = true;
       }
       if (shape.kind() == Kind::sphere) {
         accept(meet<Real>(ray, scene_.spheres[shape.index()]), ref, instance, i, false);
       } else {
         const V3<Real> per_direction = object_from_group != nullptr
-                                           ? inverses<Real>(ray.direction, world_length)
+                                           ? inverses<Real>(ray.direction, grazing)
                                            : load3(*view.per_direction, view.begin + i);
         accept(meet<Real>(ray, per_direction, scene_.boxes[shape.index()]), ref, instance, i, true);
       }
@@ -259,8 +262,9 @@ class Traversal {
     return {load3(*view.origin, view.begin + i),
             load3(*view.direction, view.begin + i),
             load(&rays_.t_min[begin_ + i]),
-            load(&rays_.t[begin_ + i]),
-            view.world_length,
+            &rays_.t[begin_ + i],
+            &view.grazing,
+            view.may_graze,
             view.is_unit,
             false,
             hn::MaskFromVec(hn::Zero(Tag<Real>())),
@@ -283,9 +287,16 @@ class Traversal {
   }
 
   HWY_NOINLINE void invert(RayView<Real>& view) const {
-    for (std::size_t i = view.begin; i < view.begin + size_; i += lanes<Real>())
-      store3<Real>(inverses<Real>(load3(*view.direction, i), view.world_length), *view.per_direction, i);
+    const V3<Real> few = set3(view.grazing.few_roundings);
+    M<Real> grazes = hn::MaskFromVec(hn::Zero(Tag<Real>()));
+    for (std::size_t i = view.begin; i < view.begin + size_; i += lanes<Real>()) {
+      const V3<Real> d = load3(*view.direction, i);
+      store3<Real>(inverses<Real>(d, view.grazing), *view.per_direction, i);
+      grazes = hn::Or(grazes, hn::Or(hn::Or(hn::Le(hn::Abs(d.x), few.x), hn::Le(hn::Abs(d.y), few.y)),
+                                     hn::Le(hn::Abs(d.z), few.z)));
+    }
     view.has_inverses = true;
+    view.may_graze = !none<Real>(grazes);
   }
 
   /// Which lanes start on this very shape, of this very instance.
