@@ -43,7 +43,8 @@ void CompareReport::add(const std::string& name, Findings&& findings, const Json
   references::ReportEntry entry;
   entry.name = name;
   entry.result = result;
-  entry.result.erase("not_compared");  // on the page that is why there are no figures; the parts are said below
+  // On the page it says why there are no figures; here it is a list of parts, which the message has.
+  entry.result.erase("not_compared");
   std::string said = remark(findings.test.channels);
   if (!said.empty()) warn("report: " + said);
   const std::string allowed = bounds_text(findings.bounds, findings.result);

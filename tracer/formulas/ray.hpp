@@ -45,8 +45,8 @@ Real one_place(const Ray<Real>& ray, Real t) {
   return ray.t_min + resolution<Real>() * t;
 }
 
-/// No slide, a decision: what a surface that is grazed tells apart, as a share of what t does: 16 roundings of a
-/// place in double, none in float. Below this slope they are more than the resolution of t.
+/// No slide, a decision: what a surface that is grazed tells apart, as a share of what t does: 16 roundings
+/// of a place in double, none in float. Below this slope they are more than the resolution of t.
 template <class Real>
 constexpr Real grazing_slope() {
   return Real(1) / 512;
