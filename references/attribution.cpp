@@ -20,7 +20,7 @@ namespace {
 constexpr double smallest_jump = 1e-5;  // moving by 1e-8 changes a smooth pixel by far less
 constexpr int patterns = 48;            // two surfaces stay in one order in all of them once in 2^47 cases
 constexpr int most_patterns = 4096;     // for pixels that vary: many ties in one ray tree have many outcomes
-constexpr int patterns_of_one = 12;     // of a single shape, to find out whether it takes part
+constexpr int patterns_of_one = 6;      // of a single shape, to find out whether it takes part
 constexpr std::size_t pixels_named = 64;  // the shapes are looked for in so many pixels
 
 // A picture that differs as a whole is no matter of chance: one pixel of the sample that has no cause settles
@@ -231,22 +231,33 @@ class Attribution {
 
   using Meetings = std::map<ShapeId, std::vector<const Suspect*>>;
 
-  /// Those whose move alone changes one of the proven pixels; with many shapes, of the first that are tried.
-  /// Half of the moves are seen with the reference's shadows: where a ray leaves a box at an edge, its two
-  /// faces may differ only by whether the box itself hides a light there.
+  /// Those whose move alone changes one of the proven pixels. Where none does, once more with the reference's
+  /// shadows: of the two faces at an edge by which a ray leaves a box, one may differ only by whether the box
+  /// itself hides a light there.
   std::set<ShapeId> shapes_that_take_part(const std::vector<Suspect>& all) const {
+    const Meetings meetings = met_by(sample_of_proven(all));
     Work work(job_.work / 5);
+    std::set<ShapeId> found = shapes_that_change(
+        meetings, {}, [](const Suspect& s) { return std::optional(s.unmoved); }, work);
+    if (!found.empty() || meetings.empty()) return found;
+    const auto shadows = Perturbation::reference_shadows();
+    const PixelTracer still(scene_, job_, job_.options, work, shadows);
+    return shapes_that_change(
+        meetings, shadows, [&](const Suspect& s) { return still.at(*s.pixel); }, work);
+  }
+
+  /// With many shapes, of the first that are tried.
+  template <class Unmoved>
+  std::set<ShapeId> shapes_that_change(const Meetings& meetings,
+                                       const textbook::FormulaTable<double>& formulas,
+                                       const Unmoved& unmoved_of, Work& work) const {
     std::set<ShapeId> found;
-    const textbook::FormulaTable<double> as_given, as_reference = Perturbation::reference_shadows();
-    const PixelTracer still(scene_, job_, job_.options, work, as_reference);
-    for (const auto& [id, pixels] : met_by(sample_of_proven(all))) {
+    for (const auto& [id, pixels] : meetings) {
       for (int i = 0; i < patterns_of_one && !found.contains(id) && !work.is_over(); ++i) {
-        const bool is_as_given = i % 2 == 0;
-        const PixelTracer moved(perturbation_.with_one_moved(id, i / 2), job_, job_.options, work,
-                                is_as_given ? as_given : as_reference);
+        const PixelTracer moved(perturbation_.with_one_moved(id, i), job_, job_.options, work, formulas);
         const bool changes = std::any_of(pixels.begin(), pixels.end(), [&](const Suspect* s) {
           perturbation_.begin_pixel(no_pattern, number_of(*s));
-          const std::optional<Colour> unmoved = is_as_given ? s->unmoved : still.at(*s->pixel);
+          const std::optional<Colour> unmoved = unmoved_of(*s);
           const std::optional<Colour> outcome = moved.at(*s->pixel);
           return unmoved && outcome && !is_within(unmoved->data(), outcome->data(), job_.tolerance);
         });
