@@ -55,12 +55,12 @@ class NonFinite : public testing::TestWithParam<Format> {
   }
   template <class Check>
   void with_each_damage(Check check) const {
-    using Damage = std::pair<float, std::size_t>;
-    for (const auto& [value, component] :
-         {Damage{std::nanf(""), 0}, {std::nanf(""), 2303}, {INFINITY, 1129}, {-INFINITY, 2303}}) {
-      SCOPED_TRACE(std::to_string(value) + " in component " + std::to_string(component));
-      damage(value, component);
-      check();
+    for (const float value : {std::nanf(""), INFINITY, -INFINITY}) {
+      for (const std::size_t component : {0U, 1129U, 2303U}) {
+        SCOPED_TRACE(std::to_string(value) + " in component " + std::to_string(component));
+        damage(value, component);
+        check();
+      }
     }
   }
 

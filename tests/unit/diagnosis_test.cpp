@@ -113,7 +113,7 @@ TEST(Diagnose, APictureToneMappedOnceIsNotSaidToBeTwice) {
 }
 
 TEST(Diagnose, FaultsThatExplainAPartSaySo) {
-  const Scene scene = scene_of("full-model.sdf");
+  const Scene scene = scene_of("combined-still-life.sdf");
   const Camera& camera = scene.cameras.front();
   ImageFile picture = as_file(render_with(scene, camera, small_job(), {find_fault("ka-kd-swapped")}),
                               plumb::Encoding::course);
@@ -145,7 +145,7 @@ TEST(Diagnose, WhatCannotBeToldApartIsSaid) {
 }
 
 TEST(Diagnose, AbstainsFromAnotherScenesPicture) {
-  const Scene scene = scene_of("phong.sdf");
+  const Scene scene = scene_of("combined-village.sdf");
   const Scene other = scene_of("combined-mirror-room.sdf");
   const Image image = engine::render(other, other.cameras.front(), small_job());
   const ImageFile file = as_file(image, plumb::Encoding::course);
