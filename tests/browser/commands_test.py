@@ -4,6 +4,7 @@ import os
 import subprocess
 import tempfile
 import unittest
+from urllib.parse import quote
 
 from support import ReportTest, new_browser
 
@@ -24,14 +25,11 @@ class Commands(ReportTest):
         os.makedirs(cls.place.name + "/others")
         os.makedirs(cls.place.name + "/images")
         for name, z in (("near", -4), ("far", -6)):
-            with open(f"{cls.place.name}/scenes/{name}.sdf", "w", encoding="ascii") as file:
-                file.write(SCENE.format(z=z, name=name))
+            cls.write_scene(name, z)
             cls.plumb("render", f"scenes/{name}.sdf", "-o", f"images/{name}.exr")
-        cls.plumb("render", "scenes/near.sdf", "-o", "others/far.exr")
-        cls.plumb("render", "scenes/near.sdf", "-o", "others/near.exr")
+            cls.plumb("render", "scenes/near.sdf", "-o", f"others/{name}.exr")
         cls.plumb("regress", "scenes", "--update", "near", "--because", "looked at")
-        with open(cls.place.name + "/scenes/near.sdf", "w", encoding="ascii") as file:
-            file.write(SCENE.format(z=-4.5, name="near"))
+        cls.write_scene("near", -4.5)
         cls.browser = new_browser()
         cls.addClassCleanup(cls.browser.quit)
 
@@ -39,41 +37,47 @@ class Commands(ReportTest):
         pass  # each test writes a page of its own
 
     @classmethod
-    def plumb(cls, *words):
+    def write_scene(cls, name, z):
+        with open(f"{cls.place.name}/scenes/{name}.sdf", "w", encoding="ascii") as file:
+            file.write(SCENE.format(z=z, name=name))
+
+    @classmethod
+    def plumb(cls, *words, ends_with=0):
         done = subprocess.run([os.environ["PLUMB_BINARY"], *words], cwd=cls.place.name, stdout=subprocess.PIPE,
-                              stderr=subprocess.STDOUT, timeout=120)
-        if done.returncode not in (0, 1, 2):
+                              stderr=subprocess.STDOUT, timeout=120,
+                              env={**os.environ, "PLUMB_CACHE": cls.place.name + "/cache"})
+        if done.returncode != ends_with:
             raise AssertionError(done.stdout.decode())
 
-    def check_page(self, *words):
-        self.plumb(*words, "--report", "page")
+    def check_page(self, *words, ends_with, pictures):
+        self.plumb(*words, "--report", "page", ends_with=ends_with)
         self.url = "file://" + self.place.name + "/page/index.html"
         for width in (1280, 390):
             self.resize(width, 844)
             self.open("")
             scenes = json.loads(self.script("return document.getElementById('report-data').textContent"))["scenes"]
-            self.assertGreater(len(scenes), 0)
+            self.assertEqual(pictures, sum(1 for scene in scenes if scene["picture"]))
             for scene in scenes:
                 with self.subTest(words=words, width=width, scene=scene["name"]):
-                    if "causes" in scene and scene.get("picture"):
+                    if scene["picture"]:
                         self.open_scene(scene["name"])
                     else:
-                        self.open("#scene=" + scene["name"])
+                        self.open("#scene=" + quote(scene["name"], safe=""))
                         self.wait(lambda: self.find("main.scene .notice").is_displayed())
                     self.assertGreater(len(self.all(".panel")), 0)
                     self.assertEqual(width, self.script("return document.documentElement.scrollWidth"))
 
     def test_compare_of_two_files(self):
-        self.check_page("compare", "images/near.exr", "others/far.exr", "--ignore", "0,0,4,4")
+        self.check_page("compare", "images/near.exr", "others/far.exr", "--ignore", "0,0,4,4", ends_with=1, pictures=1)
 
     def test_compare_of_directories(self):
-        self.check_page("compare", "images", "others")
+        self.check_page("compare", "images", "others", ends_with=1, pictures=2)
 
     def test_regress(self):
-        self.check_page("regress", "scenes", "--ignore", "0,0,4,4")
+        self.check_page("regress", "scenes", "--ignore", "0,0,4,4", ends_with=1, pictures=1)
 
     def test_verify(self):
-        self.check_page("verify", "scenes/near.sdf", "scenes/far.sdf")
+        self.check_page("verify", "scenes/near.sdf", "scenes/far.sdf", ends_with=0, pictures=2)
 
 
 if __name__ == "__main__":
