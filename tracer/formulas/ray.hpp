@@ -13,8 +13,8 @@ struct Ray {
   Vec3<Real> origin;
   Vec3<Real> direction;
   Real t_min = 0;  ///< rounding cannot tell hits up to here from the origin
-  Vec3<Real> world_length{
-      1};  ///< along each axis, the most that a length of 1 in the world comes to in this space
+  /// Along each axis, the most that a length of 1 in the world comes to in this space.
+  Vec3<Real> world_length{1};
   Real t_known = std::numeric_limits<Real>::infinity();  ///< of a light ahead, or of the nearest hit so far
 };
 
