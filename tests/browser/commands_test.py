@@ -68,7 +68,7 @@ class Commands(ReportTest):
                     self.assertEqual(width, self.script("return document.documentElement.scrollWidth"))
 
     def test_compare_of_two_files(self):
-        self.check_page("compare", "images/near.exr", "others/far.exr", "--ignore", "0,0,4,4", ends_with=1, pictures=1)
+        self.check_page("compare", "images/far.exr", "others/far.exr", "--ignore", "0,0,4,4", ends_with=1, pictures=1)
 
     def test_compare_of_directories(self):
         self.check_page("compare", "images", "others", ends_with=1, pictures=2)
