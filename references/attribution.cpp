@@ -341,7 +341,7 @@ class Attribution {
 const char* to_string(Cause cause) {
   constexpr std::array<const char*, cause_count> names{
       "silhouette", "shadow_edge",  "secondary_edge", "coincident", "reference_tolerance",
-      "depth",      "quantisation", "clamped",        "unexplained"};
+      "depth",      "quantisation", "clamped",        "undecided",  "unexplained"};
   return names.at(static_cast<std::size_t>(cause));
 }
 
@@ -376,8 +376,8 @@ std::string broken_bound(const Budget& budget, int width, int height) {
   }
   if (100 * budget.unverified() <= pixels) return {};
   return std::to_string(budget.unverified()) +
-         " pixels are unverified: the reference does not tell apart the surfaces that meet there, so nothing "
-         "says what colour ours has; at most " +
+         " pixels are unverified: the reference does not tell apart the surfaces that meet there, or the "
+         "scene's last digits leave the colour open, so nothing says what colour ours has; at most " +
          std::to_string(pixels / 100) + " are allowed, 1 % of the picture";
 }
 

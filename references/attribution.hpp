@@ -23,9 +23,10 @@ enum class Cause {
   depth,                ///< the reference stopped one ray earlier or later
   quantisation,         ///< the reference holds integers: rounding gives its value exactly
   clamped,              ///< the reference cannot hold more than 1
+  undecided,            ///< the scene's last digits leave both values open, see settle_undecided
   unexplained,          ///< none of these: a difference of the model
 };
-inline constexpr std::size_t cause_count = 9;
+inline constexpr std::size_t cause_count = 10;
 
 /// As it stands in JSON, e.g. "shadow_edge".
 const char* to_string(Cause cause);
@@ -43,9 +44,11 @@ struct Budget {
 
   std::size_t count(Cause cause) const;
   /// Where the reference shows another surface than ours, or another shadow, because two are nearer to each
-  /// other than it resolves: nobody but us said what colour our surface has there. (At an edge the pixels
-  /// beside it say so.)
-  std::size_t unverified() const { return count(Cause::coincident) + count(Cause::reference_tolerance); }
+  /// other than it resolves, and where both values are open: nobody but us said what colour our surface has
+  /// there. (At an edge the pixels beside it say so.)
+  std::size_t unverified() const {
+    return count(Cause::coincident) + count(Cause::reference_tolerance) + count(Cause::undecided);
+  }
   /// What a reader of the counts must know when pixels were not examined; else empty.
   std::string note() const;
   std::size_t explained() const { return pixels.size() - count(Cause::unexplained); }

@@ -60,6 +60,14 @@ class PixelJudge {
                        Rgbd(*as_written)};
   }
 
+  /// Whether the scene's last digits leave both values open; else, or when that is not found out, no.
+  bool leaves_open(const PixelPlace& p) const {
+    const auto answers = oracle_.answers(p.x, p.y);
+    return answers && !answers->is_decided(job_.tolerance) &&
+           answers->allow(job_.test.pixel(p.x, p.y), job_.tolerance) &&
+           answers->allow(job_.reference.pixel(p.x, p.y), job_.tolerance);
+  }
+
  private:
   const AttributionJob& job_;
   mutable Work work_;
@@ -114,6 +122,17 @@ void refute(const Judgement& judgement, Budget& budget) {
   for (AttributedPixel& p : budget.pixels) {
     if (wrong.contains({p.x, p.y})) p.cause = Cause::unexplained;
   }
+}
+
+void settle_undecided(const AttributionJob& job, Budget& budget) {
+  const std::size_t left = budget.count(Cause::unexplained);
+  const std::size_t pixels = job.test.rgb.size() / 3;
+  if (job.judge == Judge::baseline || left == 0 || 100 * left > pixels) return;
+  const PixelJudge judge(job, most_work_of_judgement);
+  for (AttributedPixel& p : budget.pixels) {
+    if (p.cause == Cause::unexplained && judge.leaves_open({p.x, p.y})) p.cause = Cause::undecided;
+  }
+  budget.unexamined = std::min(budget.unexamined, budget.count(Cause::unexplained));
 }
 
 Judgement judge_pixels(const AttributionJob& job, double most_work) {

@@ -48,6 +48,11 @@ inline constexpr double most_work_of_judgement = 1e9;
 /// unexplained, so that no two outputs contradict each other.
 void refute(const Judgement& judgement, Budget& budget);
 
+/// Where no cause was found for a few pixels, at most as many as may be unverified: those at which the scene
+/// has answers (see Oracle) that are farther apart than the tolerance, and both values are among them, become
+/// undecided. Against a baseline that is no excuse.
+void settle_undecided(const AttributionJob& job, Budget& budget);
+
 /// Judges every pixel over the tolerance, row by row, until the work is done. `job.work` and what the job
 /// says of the reference's precision are not used: a value that was rounded or clamped is wrong like any
 /// other.

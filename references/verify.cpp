@@ -236,7 +236,10 @@ void judge(const AttributionJob& job, SceneResult& result) {
   result.comparison = compare(job.reference, job.test, job.tolerance);
   const auto view = [](const Image& i) { return PictureView{i.width, i.height, 3, i.rgb.data()}; };
   result.metrics = cheap_metrics(view(job.reference), view(job.test));
-  if (result.comparison.pixels_over > 0) result.budget = attribute(job);
+  if (result.comparison.pixels_over > 0) {
+    result.budget = attribute(job);
+    settle_undecided(job, result.budget);
+  }
   if (result.judgement) refute(*result.judgement, result.budget);
   const std::string broken = broken_bound(result.budget, result.width, result.height);
   const bool agrees = result.budget.count(Cause::unexplained) == 0 && broken.empty();

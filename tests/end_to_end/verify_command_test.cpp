@@ -473,10 +473,10 @@ TEST_F(Verify, TermsStandInTheJson) {
 
 TEST_F(Verify, TheBudgetInTheJsonHasEveryCause) {
   const Json json = verify_json({"ball.sdf"});
-  EXPECT_EQ(
-      keys_of(json.at("scenes").at(0).at("budget")),
-      (std::set<std::string>{"silhouette", "shadow_edge", "secondary_edge", "coincident",
-                             "reference_tolerance", "depth", "quantisation", "clamped", "unexplained"}));
+  EXPECT_EQ(keys_of(json.at("scenes").at(0).at("budget")),
+            (std::set<std::string>{"silhouette", "shadow_edge", "secondary_edge", "coincident",
+                                   "reference_tolerance", "depth", "quantisation", "clamped", "undecided",
+                                   "unexplained"}));
 }
 
 TEST_F(Verify, ASignalLeavesNothingBehind) {

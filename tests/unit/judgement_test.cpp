@@ -160,5 +160,58 @@ TEST(Judgement, WhatNoEdgeExplainsIsWrongThere) {
   EXPECT_EQ(judgement.pixels[0].verdict, Verdict::ours_wrong);
 }
 
+/// Sixteen pixels a side, a pixel beside the edge of a box, of which one side sees the box and the other one
+/// does not; what the budget says of it when no other proof was found.
+class OnePixelWithoutACause : public testing::Test {
+ protected:
+  static constexpr int on_edge = 11;  // its centre looks at x = 1.75 where z = -4
+  static constexpr int beside = 12;
+
+  static Cause settled(const Image& reference, const Image& ours, int x, Judge judge = Judge::povray) {
+    const Scene scene = glowing("define shape box front -1 -1 -6 1.75 1 -4 glow");
+    AttributionJob job{scene, scene.cameras.front(), {}, reference, ours, 1e-6};
+    job.judge = judge;
+    Budget budget;
+    budget.pixels = {{x, 8, Cause::unexplained}};
+    settle_undecided(job, budget);
+    return budget.pixels.front().cause;
+  }
+  static Image with(float value, int x) {
+    Image image = plain(16, 16, 0);
+    std::fill_n(image.pixel(x, 8), 3, value);
+    return image;
+  }
+};
+
+TEST_F(OnePixelWithoutACause, IsUndecidedWhereTheLastDigitsLeadToBothValues) {
+  EXPECT_EQ(settled(with(0.5F, on_edge), with(0, on_edge), on_edge), Cause::undecided);
+  EXPECT_EQ(settled(with(0, on_edge), with(0.5F, on_edge), on_edge), Cause::undecided);
+}
+
+TEST_F(OnePixelWithoutACause, IsUnexplainedWhereOneOfThemIsWrong) {
+  EXPECT_EQ(settled(with(0.5F, beside), with(0, beside), beside), Cause::unexplained);
+  EXPECT_EQ(settled(with(0, on_edge), with(0.6F, on_edge), on_edge), Cause::unexplained);
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_EQ(settled(with(0, on_edge), with(nan, on_edge), on_edge), Cause::unexplained);
+}
+
+TEST_F(OnePixelWithoutACause, IsUnexplainedWhereTheSceneHasOneAnswerBetweenThem) {
+  EXPECT_EQ(settled(with(0.7e-6F, beside), with(-0.7e-6F, beside), beside), Cause::unexplained);
+}
+
+TEST_F(OnePixelWithoutACause, IsUnexplainedAgainstABaseline) {
+  EXPECT_EQ(settled(with(0.5F, on_edge), with(0, on_edge), on_edge, Judge::baseline), Cause::unexplained);
+}
+
+TEST_F(OnePixelWithoutACause, IsUnexplainedAmongMoreThanMayBeUnverified) {
+  const Scene scene = glowing("define shape box front -1 -1 -6 1.75 1 -4 glow");
+  const Image reference = with(0.5F, on_edge);
+  const Image ours = with(0, on_edge);
+  Budget budget;
+  for (int i = 0; i < 3; ++i) budget.pixels.push_back({on_edge, 8, Cause::unexplained});
+  settle_undecided({scene, scene.cameras.front(), {}, reference, ours, 1e-6}, budget);
+  EXPECT_EQ(budget.count(Cause::unexplained), 3U) << "of 256 pixels";
+}
+
 }  // namespace
 }  // namespace plumb::references

@@ -3,7 +3,7 @@ import {element} from "./dom.js";
 import {count, words} from "./format.js";
 
 const known = ["unexplained", "silhouette", "shadow_edge", "secondary_edge", "coincident", "reference_tolerance",
-  "depth", "quantisation", "clamped", "ignored"];
+  "depth", "quantisation", "clamped", "undecided", "ignored"];
 
 export const cause_class = (cause) => `cause cause-${known.includes(cause) ? cause : "other"}`;
 
