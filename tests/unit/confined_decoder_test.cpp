@@ -2,9 +2,11 @@
 // somebody kills it.
 #include <gtest/gtest.h>
 
+#include <fcntl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <chrono>
@@ -88,6 +90,27 @@ TEST(ConfinedDecoder, IsStartedAgainWhenItWasKilled) {
   waitid(P_PID, static_cast<id_t>(before[0]), &ended, WEXITED | WNOWAIT);
   EXPECT_EQ(first_red(path), 7);
   EXPECT_NE(decoders(), before);
+}
+
+TEST(ConfinedDecoder, HoldsNoFileOfOurs) {
+  const Workplace place;
+  const std::string ours = place.file("ours.txt", "secret");
+  const Descriptor inherited(::open(ours.c_str(), O_RDWR));  // stays open in programs that are started
+  ASSERT_GE(inherited.number(), 0);
+  for (const pid_t before : decoders()) {
+    kill(before, SIGKILL);
+    siginfo_t ended{};
+    waitid(P_PID, static_cast<id_t>(before), &ended, WEXITED | WNOWAIT);
+  }
+  EXPECT_EQ(first_red(place.file("a.bmp", bitmap(7))), 7);
+  const std::vector<pid_t> now = decoders();
+  ASSERT_EQ(now.size(), 1U);
+  std::vector<std::string> held;
+  for (const auto& file : fs::directory_iterator("/proc/" + std::to_string(now[0]) + "/fd"))
+    held.push_back(fs::read_symlink(file.path()));
+  ASSERT_GE(held.size(), 3U);
+  EXPECT_EQ(std::count(held.begin(), held.end(), ours), 0);
+  EXPECT_EQ(fs::read_symlink("/proc/" + std::to_string(now[0]) + "/fd/1"), "/dev/null");
 }
 
 TEST(ReadToEnd, EndsWithTheLastWriterOrInTime) {

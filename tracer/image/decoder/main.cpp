@@ -1,6 +1,7 @@
 // plumb-decode: decodes files for `plumb`, which starts it and trusts nothing that it says. It never looks at
 // a file itself: it loads the libraries, once, and makes a process for each file, which is confined before it
 // does.
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -151,9 +152,23 @@ int serve(int socket) {
 }  // namespace
 }  // namespace plumb::decoder
 
+namespace {
+
+/// What plumb or who started it left open is none of its business; it prints nothing but to standard error.
+bool keeps_its_own_files_alone() {
+  const int nothing = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
+  return nothing >= 0 && ::dup2(nothing, STDOUT_FILENO) >= 0 && ::close_range(STDERR_FILENO + 1, ~0U, 0) == 0;
+}
+
+}  // namespace
+
 int main(int count, char** words) {
   if (count != 2 || std::strcmp(words[1], plumb::serve_argument) != 0) {
     std::fputs("plumb-decode: is started by plumb alone\n", stderr);
+    return 2;
+  }
+  if (!keeps_its_own_files_alone()) {
+    std::perror("plumb-decode: what is open cannot be closed");
     return 2;
   }
   // A signal from the keyboard is for plumb, which ends this process by closing its socket.
