@@ -142,10 +142,10 @@ int run_judge(const Options& options) {
   check_options(options);
   references::JudgeOptions judge = judge_options(options);
   const auto submissions = submissions_of(options);
-  const std::string weaker = judge.command.empty() ? std::string() : references::limits_not_enforced();
-  if (!weaker.empty()) warn("judge: " + weaker);
   auto scenes = references::scenes_to_judge(options.scenes, judge.dialect);
   references::RunFacts facts = shuffle(options, judge.dialect, scenes);
+  if (!judge.command.empty()) facts.not_enforced = references::limits_not_enforced();
+  if (!facts.not_enforced.empty()) warn("judge: " + facts.not_enforced);
   const auto journal = open_journal(options.outputs);
   facts.journal = judge.journal = journal.get();
   const references::Interrupts interrupts;

@@ -64,6 +64,7 @@ Json overview_json(const std::vector<JudgedPicture>& all, HintLevel hint, const 
   }
   Json json{{"tool", "plumb"}, {"version", PLUMB_VERSION}, {"complete", judged_count(all) == all.size()}};
   if (facts.seed) json["shuffle"] = {{"seed", *facts.seed}, {"unvaried", facts.unvaried}};
+  if (!facts.not_enforced.empty()) json["limits_not_enforced"] = facts.not_enforced;
   json["verdicts"] = counts;
   json["pictures"] = pictures;
   return json;

@@ -22,6 +22,7 @@ std::string named(const Fault& fault, HintLevel hint);
 struct RunFacts {
   std::optional<std::uint64_t> seed;  ///< of --shuffle
   std::vector<std::string> unvaried;  ///< scenes that were judged as they are in spite of it
+  std::string not_enforced;           ///< limits_not_enforced(), of a run that confines programs
   const Journal* journal = nullptr;   ///< holds the pictures; may be null
 };
 

@@ -116,6 +116,11 @@ std::string shuffle_text(const RunFacts& facts) {
   return text + "</p>\n";
 }
 
+std::string limits_text(const RunFacts& facts) {
+  return facts.not_enforced.empty() ? ""
+                                    : "<p>Of the limits, " + html_escaped(facts.not_enforced) + ".</p>\n";
+}
+
 /// All faults of which a page names one, in the catalogue's order.
 std::string lessons(const std::vector<JudgedPicture>& all) {
   std::set<const Fault*> found;
@@ -205,9 +210,10 @@ void write_overview(const std::string& directory, const std::vector<JudgedPictur
   const std::vector<Row> rows = rows_of(all);
   for (const Row& row : rows) write_file(folder / row.file, page_of(row, hint, facts));
   write_lessons(folder / lessons_page, all, hint);
-  write_file(folder / "index.html",
-             teaching::page("Tracers judged by plumb",
-                            summary(all) + shuffle_text(facts) + table_of(rows, hint), style));
+  write_file(
+      folder / "index.html",
+      teaching::page("Tracers judged by plumb",
+                     summary(all) + shuffle_text(facts) + limits_text(facts) + table_of(rows, hint), style));
 }
 
 }  // namespace plumb::references

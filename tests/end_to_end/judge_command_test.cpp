@@ -63,6 +63,26 @@ class JudgeRuns : public JudgeCommand {
   }
 };
 
+TEST_F(JudgeRuns, SaysWhichLimitsTheKernelDoesNotKeep) {
+  const std::string weaker = references::limits_not_enforced();
+  const Outcome outcome =
+      judge({"--renderer", tracer() + " render {scene} -o {image}", "--json", "-", "--report", "report"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  const Json json = Json::parse(outcome.out, nullptr, false);
+  EXPECT_EQ(json.value("limits_not_enforced", ""), weaker);
+  EXPECT_EQ(json.contains("limits_not_enforced"), !weaker.empty());
+  EXPECT_EQ(contains(outcome.err, weaker.substr(0, 60)), true) << outcome.err;
+  const std::string page = read_file(workplace_.path("report/index.html"));
+  EXPECT_EQ(contains(page, "Of the limits"), !weaker.empty());
+}
+
+TEST_F(JudgeCommand, OfPicturesAloneNoLimitIsMissing) {
+  fs::create_directories(workplace_.path("pictures"));
+  run_plumb({"render", "scenes/s.sdf", "-o", "pictures/s.ppm"}, workplace_.directory());
+  const Outcome outcome = judge({"--images", "pictures", "--json", "-"});
+  EXPECT_FALSE(Json::parse(outcome.out, nullptr, false).contains("limits_not_enforced")) << outcome.out;
+}
+
 TEST_F(JudgeRuns, NamesWhatATracerDoes) {
   const std::string render = tracer() + " render \"$1\" ";
   shell("good", render + "-o \"$2\"\n");
