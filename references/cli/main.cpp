@@ -8,6 +8,7 @@
 
 #include "references/cli/commands.hpp"
 #include "references/cli/options.hpp"
+#include "references/cli/own_inputs.hpp"
 #include "references/cli/slips.hpp"
 #include "tracer/image/leftovers.hpp"
 
@@ -35,7 +36,9 @@ int run(int argc, char** argv) {
   std::error_code no_directory;
   remove_leftovers(std::filesystem::temp_directory_path(no_directory).string());
   for (const Command& command : commands) {
-    if (command.app->parsed()) return command.run();
+    if (!command.app->parsed()) continue;
+    refuse_to_overwrite_inputs(*command.app);
+    return command.run();
   }
   std::fputs(app.help().c_str(), stderr);
   return exit_trouble;

@@ -116,5 +116,47 @@ TEST_F(ExportHead, IsNotPartOfWhatStoredReferencesAreKeptFor) {
   EXPECT_TRUE(contains(provenance, result.output.substr(0, result.output.find(' ')))) << result.output;
 }
 
+/// What a command reads, and what would be written over it: option, file, and the rest of the command.
+struct Overwriting {
+  std::string option, file;
+  std::vector<std::string> command;
+};
+
+TEST(OwnInputs, AreNeverOverwritten) {
+  const Workplace place;
+  place.file("s.sdf", std::string(ball_scene));
+  place.file("other.sdf", std::string(ball_scene));
+  fs::create_directories(place.path("scenes/baselines"));
+  place.file("scenes/baselines/baselines.json", "{}");
+  place.file("scenes/s.sdf", std::string(ball_scene));
+  for (const char* const picture : {"a.pfm", "b.pfm"})
+    ASSERT_EQ(run_plumb({"render", "s.sdf", "-o", picture}, place.directory()).exit_code, 0);
+  const std::vector<Overwriting> all{
+      {"-o", "s.sdf", {"export", "s.sdf"}},
+      {"--json", "b.pfm", {"compare", "a.pfm", "b.pfm"}},
+      {"--junit", "a.pfm", {"compare", "a.pfm", "b.pfm"}},
+      {"--diff", "a.pfm", {"compare", "a.pfm", "b.pfm"}},
+      {"--json", "./s.sdf", {"diagnose", "s.sdf", "a.pfm"}},
+      {"--json", "s.sdf", {"verify", "s.sdf"}},
+      {"--json", "other.sdf", {"lint", "s.sdf"}},
+      {"--stats-json", "s.sdf", {"render", "s.sdf", "-o", "c.pfm"}},
+      {"--csv", "a.pfm", {"judge", "--images", ".", "--scenes", "scenes"}},
+      {"--json", "scenes/s.sdf", {"regress", "scenes"}},
+      {"--junit", "scenes/baselines/baselines.json", {"regress", "scenes"}},
+  };
+  for (const Overwriting& one : all) {
+    const std::string before = read_file(place.path(one.file));
+    std::vector<std::string> words = one.command;
+    words.insert(words.end(), {one.option, one.file});
+    SCOPED_TRACE(one.command.front() + " " + one.option);
+    expect_trouble(run_plumb(words, place.directory()), {one.option.substr(1), one.file, "input"});
+    EXPECT_EQ(read_file(place.path(one.file)), before);
+  }
+  EXPECT_EQ(run_plumb({"export", "s.sdf", "-o", "new.pov"}, place.directory()).exit_code, 0);
+  EXPECT_EQ(run_plumb({"export", "s.sdf", "-o", "new.pov"}, place.directory()).exit_code, 0);
+  EXPECT_EQ(run_plumb({"lint", "s.sdf", "--json", "new.json"}, place.directory()).exit_code, 0);
+  EXPECT_EQ(run_plumb({"lint", "s.sdf", "--json", "new.json"}, place.directory()).exit_code, 0);
+}
+
 }  // namespace
 }  // namespace plumb::tests

@@ -1,0 +1,13 @@
+// No result is written over what the same command reads.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace plumb::cli {
+
+/// Throws std::invalid_argument naming the option when the file of --json, --csv, --junit, --stats-json, -o
+/// or --diff is one that another option or argument of the parsed command names, or when a file of results
+/// would take the place of a scene, a picture or the record of approvals.
+void refuse_to_overwrite_inputs(const CLI::App& command);
+
+}  // namespace plumb::cli
