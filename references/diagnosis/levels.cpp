@@ -12,6 +12,8 @@ namespace {
 constexpr float most = 255;
 constexpr int channels = 3;
 constexpr int all_levels = 256;
+/// because formats for the screen have at least 5 bits; a picture of fewer levels is seen to be wrong
+constexpr int fewest_levels = 32;
 
 using Values = std::set<float>;
 
@@ -61,7 +63,7 @@ std::optional<Coarse> coarse_levels(const Values& values) {
   const bool is_whole = are_whole(values);
   const auto inner = static_cast<double>(values.size()) - static_cast<double>(values.count(0)) -
                      static_cast<double>(values.count(most));
-  for (int count = 2; count < all_levels; ++count) {
+  for (int count = fewest_levels; count < all_levels; ++count) {
     if (by_chance(count, is_whole, inner) > 1e-6) return std::nullopt;  // as it is for more levels
     for (const Spreading spreading :
          {Spreading::exact, Spreading::rounded, Spreading::truncated, Spreading::upper_bits}) {

@@ -195,6 +195,16 @@ TEST(RightPicture, MayHaveFewerLevels) {
   }
 }
 
+TEST(RightPicture, HasNoFewerLevelsThanScreensHave) {
+  const Subject subject = scene_of(text_of("phong.sdf"));
+  for (const int steps : {7, 30}) {
+    const Format coarse{"", Sample::bits8,
+                        [&](float c) { return std::round(255 * truncated(c, steps)) / 255; }};
+    const Diagnosis found = diagnosed(subject, written(rendered(subject), coarse));
+    EXPECT_NE(found.verdict, PictureVerdict::right) << steps;
+  }
+}
+
 TEST(RightPicture, MayHaveOtherLevelsInEachChannel) {
   const Subject subject = scene_of(text_of("phong.sdf"));
   ImageFile file = written(rendered(subject), formats()[1]);
