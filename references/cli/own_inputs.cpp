@@ -15,13 +15,13 @@ bool is_one_of(const std::string& word, const std::vector<std::string>& all) {
   return std::find(all.begin(), all.end(), word) != all.end();
 }
 
-bool is_output(const std::string& option) {
-  return is_one_of(option, {"--json", "--csv", "--junit", "--stats-json", "--output", "-o", "--diff"});
+/// Whether it holds text or a drawing about results: never a scene or a picture.
+bool holds_results(const std::string& option) {
+  return is_one_of(option, {"--json", "--csv", "--junit", "--stats-json", "--svg"});
 }
 
-/// Whether it holds text about results: never a scene or a picture.
-bool holds_results(const std::string& option) {
-  return is_one_of(option, {"--json", "--csv", "--junit", "--stats-json"});
+bool is_output(const std::string& option) {
+  return holds_results(option) || is_one_of(option, {"--output", "--diff"});
 }
 
 bool is_input_by_name(const fs::path& path) {

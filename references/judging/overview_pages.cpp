@@ -117,8 +117,7 @@ std::string shuffle_text(const RunFacts& facts) {
 }
 
 std::string limits_text(const RunFacts& facts) {
-  return facts.not_enforced.empty() ? ""
-                                    : "<p>Of the limits, " + html_escaped(facts.not_enforced) + ".</p>\n";
+  return facts.not_enforced.empty() ? "" : "<p>Limits: " + html_escaped(facts.not_enforced) + ".</p>\n";
 }
 
 /// All faults of which a page names one, in the catalogue's order.

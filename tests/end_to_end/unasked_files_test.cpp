@@ -140,6 +140,7 @@ TEST(OwnInputs, AreNeverOverwritten) {
       {"--json", "s.sdf", {"verify", "s.sdf"}},
       {"--json", "other.sdf", {"lint", "s.sdf"}},
       {"--stats-json", "s.sdf", {"render", "s.sdf", "-o", "c.pfm"}},
+      {"--svg", "s.sdf", {"chart", "s.sdf"}},
       {"--csv", "a.pfm", {"judge", "--images", ".", "--scenes", "scenes"}},
       {"--json", "scenes/s.sdf", {"regress", "scenes"}},
       {"--junit", "scenes/baselines/baselines.json", {"regress", "scenes"}},
