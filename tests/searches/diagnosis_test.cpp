@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "tests/support/random_scene.hpp"
 #include "tests/support/run.hpp"
@@ -59,6 +60,20 @@ TEST(Diagnose, ARightPictureIsRightInEveryEncoding) {
     EXPECT_EQ(found.encoding.tone_map, encoding == plumb::Encoding::course);
     EXPECT_EQ(found.encoding.rounds, encoding == plumb::Encoding::srgb);
     EXPECT_EQ(found.pixels_over, 0U);
+  }
+}
+
+TEST(Diagnose, SixteenBitsAreRoundedOrTruncated) {
+  const Scene scene = scene_of("combined-still-life.sdf");
+  const Camera& camera = scene.cameras.front();
+  const Image right = render_with(scene, camera, small_job(), {});
+  for (const bool rounds : {false, true}) {
+    ImageFile file{right.width, right.height, 3, Sample::bits16, {}, {}};
+    for (const float c : right.rgb)
+      file.values.push_back(std::floor(c / (c + 1) * 65535 + (rounds ? 0.5F : 0.0F)) / 65535);
+    const Diagnosis found = diagnose(scene, camera, small_job(), file);
+    EXPECT_EQ(found.verdict, PictureVerdict::right);
+    EXPECT_EQ(found.encoding.rounds, rounds) << found.encoding.in_words();
   }
 }
 
@@ -125,6 +140,50 @@ TEST(Diagnose, FaultsThatExplainAPartSaySo) {
   EXPECT_GE(found.unexplained_pixels, 95U);
   EXPECT_LE(found.unexplained_pixels, 100U);
   EXPECT_TRUE(summary_of(found).starts_with("explains a part; ")) << summary_of(found);
+}
+
+TEST(Diagnose, NoFaultIsNamedBesideALargePartThatHasAnotherCause) {
+  const Scene scene = scene_of("combined-still-life.sdf");
+  const Camera& camera = scene.cameras.front();
+  const Image right = render_with(scene, camera, small_job(), {});
+  ImageFile picture = as_file(right, plumb::Encoding::course);
+  std::fill(picture.values.begin() + 3 * 60 * 20, picture.values.end(), 0.0F);
+  const Diagnosis half_black = diagnose(scene, camera, small_job(), picture);
+  EXPECT_EQ(half_black.verdict, PictureVerdict::unexplained) << summary_of(half_black);
+  EXPECT_TRUE(half_black.faults.empty());
+
+  Scene less = scene;
+  less.shapes.erase(less.shapes.begin());
+  picture = as_file(render_with(less, camera, small_job(), {}), plumb::Encoding::course);
+  const Diagnosis missing = diagnose(scene, camera, small_job(), picture);
+  EXPECT_TRUE(missing.faults.empty()) << missing.faults.front().fault->id;
+  EXPECT_NE(missing.verdict, PictureVerdict::right);
+}
+
+TEST(Diagnose, AnEmptierPictureIsNotTakenForAFaultThatEmptiesIt) {
+  std::string text = read_file(tests::source_path("tests/scenes/composite.sdf"));
+  const Scene scene = read_scene(text).scene;
+  const std::string near = "snowman translate -0.73 -1.71 -5.7";
+  ASSERT_NE(text.find(near), std::string::npos);
+  text.replace(text.find(near), near.size(), "snowman translate -0.73 -1.71 -12");
+  const Scene farther = read_scene(text).scene;
+  textbook::RenderJob job = small_job();
+  job.width = 160;
+  job.height = 120;
+  const Image image = render_with(farther, farther.cameras.front(), job, {});
+  const Diagnosis found =
+      diagnose(scene, scene.cameras.front(), job, as_file(image, plumb::Encoding::course));
+  EXPECT_TRUE(found.faults.empty()) << found.faults.front().fault->id;
+  EXPECT_NE(found.verdict, PictureVerdict::right);
+}
+
+TEST(Diagnose, RedAndBlueExchangedIsAFault) {
+  const Diagnosis found = diagnosis_of("combined-still-life.sdf", {"red-blue-exchanged"});
+  EXPECT_EQ(found.verdict, PictureVerdict::faults);
+  EXPECT_EQ(ids_of(found), Ids{"red-blue-exchanged"});
+  EXPECT_TRUE(found.explains_all());
+  EXPECT_EQ(ids_of(diagnosis_of("combined-still-life.sdf", {"red-blue-exchanged", "pixel-corner"})),
+            (Ids{"pixel-corner", "red-blue-exchanged"}));
 }
 
 TEST(Diagnose, WhatChangesNoPixelIsNotNamed) {

@@ -221,6 +221,17 @@ TEST(RightPicture, MayHaveOtherLevelsInEachChannel) {
 TEST(RightPicture, OfFewerLevelsMayStillBeWrong) {
   const Format coarse{"", Sample::bits8, [](float c) { return rounded(c, 31); }};
   expect_not_right("phong.sdf", "0.8 0.8 0.7 8\n", "0.8 0.8 0.7 12\n", coarse);
+  const Format upper_bits{"", Sample::bits8,
+                          [](float c) { return std::floor(std::floor(255 * tone(c)) / 8) * 8 / 255; }};
+  expect_not_right("phong.sdf", "ambient 1 1 1", "ambient 1.04 1 1", upper_bits);
+  for (const float factor : {0.97F, 0.98F, 1.01F, 1.02F}) {
+    const Format scaled{"", Sample::bits8, [&](float c) {
+                          return std::floor(std::floor(factor * 255 * tone(c)) / 8) * 8 / 255;
+                        }};
+    const Subject subject = scene_of(text_of("phong.sdf"));
+    const Diagnosis found = diagnosed(subject, written(rendered(subject), scaled));
+    EXPECT_NE(found.verdict, PictureVerdict::right) << factor << ": " << found.encoding.in_words();
+  }
 }
 
 }  // namespace
