@@ -43,6 +43,7 @@ struct Diagnosis {
   /// Pixels that neither the right picture nor, where there are faults, theirs accounts for.
   std::size_t unexplained_pixels = 0;
   double explained = 0;             ///< share of the pixels that are not right, that the faults make right
+  bool is_of_one_colour = false;    ///< and not right: it tells no mistake from another
   std::vector<ShapeSeen> shapes{};  ///< of right_apart: what these pixels should show, the most first
 
   bool explains_all() const { return unexplained_pixels == 0; }

@@ -21,7 +21,7 @@ constexpr double most_units_in_all = 3.4e8;   // 8 s at most, a quarter of it as
 float difference(const float* unrounded, const float* seen, const OutputEncoding& encoding) {
   float largest = 0;
   for (std::size_t channel = 0; channel < 3; ++channel) {
-    const float level = encoding.rounded(unrounded[encoding.is_bgr ? 2 - channel : channel], channel);
+    const float level = encoding.rounded(unrounded[channel], channel);
     const float apart = std::abs(level - seen[channel]);
     if (!std::isfinite(apart)) return levels;
     largest = std::max(largest, apart);

@@ -32,6 +32,11 @@ Json levels_json(const OutputEncoding& encoding) {
   return encoding.is_float ? Json() : Json(encoding.levels);
 }
 
+/// Floats are not rounded.
+Json rounding_json(const OutputEncoding& encoding) {
+  return encoding.is_float ? Json() : Json(encoding.rounds ? "round" : "truncate");
+}
+
 }  // namespace
 
 Json to_json(const Diagnosis& diagnosis, int hint) {
@@ -53,7 +58,7 @@ Json to_json(const Diagnosis& diagnosis, int hint) {
   if (hint >= 3) json["ambiguous"] = ambiguous;
   json["encoding"] = {{"tone_map", diagnosis.encoding.tone_map},
                       {"gamma", diagnosis.encoding.gamma()},
-                      {"rounding", diagnosis.encoding.rounds ? "round" : "truncate"},
+                      {"rounding", rounding_json(diagnosis.encoding)},
                       {"levels", levels_json(diagnosis.encoding)},
                       {"flipped", diagnosis.is_flipped}};
   json["remaining"] = {{"rms", diagnosis.rms}, {"pixels_over_2_255", diagnosis.pixels_over}};

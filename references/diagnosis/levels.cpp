@@ -95,6 +95,7 @@ void put_on_coarse_levels(SeenLevels& seen) {
   for (std::size_t i = 0; i < seen.values.size(); ++i) {
     const Coarse& of = coarse.at(i % channels);
     seen.read.levels.at(i % channels) = of.count;
+    seen.read.has_upper_bits |= of.spreading == Spreading::upper_bits;
     if (of.count == all_levels) continue;
     const int step = step_of(seen.values[i], of.count, of.spreading).value_or(0);
     seen.values[i] = value_of(step, of.count, Spreading::exact);
@@ -137,7 +138,10 @@ void learn_floats(Sample sample, SeenLevels& seen) {
 
 void learn_integers(Sample sample, SeenLevels& seen) {
   if (sample == Sample::bits16 && !are_whole(values_of(seen.values, 0, 1))) {
+    constexpr float steps = 65535;
     seen.read.levels.fill(65536);
+    // As OutputEncoding::rounded() computes them, to the last bit.
+    for (float& value : seen.values) value = most * std::round(value / most * steps) / steps;
     return;
   }
   for (float& value : seen.values) {

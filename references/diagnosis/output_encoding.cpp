@@ -11,8 +11,6 @@ namespace {
 constexpr float most = 255;
 /// because a curve and a product in float32 lose less than ten units in the last place, 6e-8 each
 constexpr float lost_by_encoding = 1e-6F;
-/// because a picture of fewer levels may have been made from one of 8 bits, rounded or truncated
-constexpr float lost_by_reducing = 1;
 /// because 255.99 is as common a factor as 256
 constexpr float lost_by_factor = 0.011F;
 
@@ -32,6 +30,7 @@ float OutputEncoding::rounded(float level, std::size_t channel) const {
   if (is_float) return level;
   if (std::isnan(level)) return 0;
   const auto steps = static_cast<float>(levels.at(channel) - 1);
+  if (reduced != Reduced::no) level = std::floor(reduced == Reduced::rounded ? level + 0.5F : level);
   const float scaled = level * ((has_equal_parts ? steps + 1 : steps) / most);
   const float step = std::clamp(std::floor(rounds ? scaled + 0.5F : scaled), 0.0F, steps);
   return most * step / steps;
@@ -43,7 +42,6 @@ float OutputEncoding::slack(float level, const float* seen, std::size_t channel)
     const float held = shares_exponent ? *std::max_element(seen, seen + 3) : std::abs(seen[channel]);
     return lost_by_curve + lost * held;
   }
-  if (levels.at(channel) < 256) return lost_by_curve + lost_by_reducing;
   return lost_by_curve + (has_equal_parts ? lost_by_factor : 0);
 }
 
@@ -55,29 +53,28 @@ std::string OutputEncoding::depth_in_words() const {
   std::string text = std::to_string(levels[0]);
   if (levels[1] != levels[0] || levels[2] != levels[0])
     text += ", " + std::to_string(levels[1]) + " and " + std::to_string(levels[2]);
-  return how + text + " levels";
+  if (reduced == Reduced::no) return how + text + " levels";
+  return std::string(reduced == Reduced::rounded ? "rounded" : "truncated") + " to 8 bits, then " + how +
+         text + " levels";
 }
 
 std::string OutputEncoding::in_words() const {
   std::string words = tone_map ? "tone-mapped" : "not tone-mapped";
   if (curve != Curve::linear) words += curve == Curve::srgb ? ", sRGB curve" : ", gamma 2.2";
-  if (is_bgr) words += ", red and blue exchanged";
   return words + ", " + depth_in_words();
 }
 
 std::vector<OutputEncoding> encodings_of(const OutputEncoding& read) {
   std::vector<OutputEncoding> all;
-  for (const bool is_bgr : {false, true}) {
-    for (const Curve curve : {Curve::linear, Curve::gamma, Curve::srgb}) {
-      for (const bool tone_map : {true, false}) {
-        for (const bool rounds : {false, true}) {
-          if (rounds && read.is_float) continue;
-          OutputEncoding& one = all.emplace_back(read);
-          one.tone_map = tone_map;
-          one.curve = curve;
-          one.rounds = rounds;
-          one.is_bgr = is_bgr;
-        }
+  for (const Curve curve : {Curve::linear, Curve::gamma, Curve::srgb}) {
+    for (const bool tone_map : {true, false}) {
+      for (const bool rounds : {false, true}) {
+        if (rounds && (read.is_float || read.has_upper_bits)) continue;
+        OutputEncoding& one = all.emplace_back(read);
+        one.tone_map = tone_map;
+        one.curve = curve;
+        one.rounds = rounds;
+        one.has_equal_parts = read.has_upper_bits;
       }
     }
   }

@@ -11,14 +11,18 @@ namespace plumb::references {
 
 enum class Curve { linear, gamma, srgb };
 
+/// How a picture of fewer levels was made of one of 8 bits, if it was.
+enum class Reduced { no, truncated, rounded };
+
 /// From linear colours to the levels 0 to 255 of a file.
 struct OutputEncoding {
   bool tone_map = false;  ///< c / (c + 1), the sheet of 2020
   Curve curve = Curve::linear;
   bool rounds = false;           ///< to the nearest level; the course's framework truncates
-  bool is_bgr = false;           ///< red and blue have changed places
   bool is_float = false;         ///< neither rounded nor clamped, in units of 1/255
   bool has_equal_parts = false;  ///< truncated after a product with the number of levels, not with one less
+  bool has_upper_bits = false;   ///< a level of fewer is the upper bits of a byte: equal parts, too
+  Reduced reduced = Reduced::no;
   std::array<int, 3> levels{256, 256, 256};  ///< of red, green and blue in the file; 2 to 65536
   /// Of a picture of floats, the share of a value (or of the largest of a pixel, where all share one
   /// exponent) that its file does not hold.
@@ -30,7 +34,7 @@ struct OutputEncoding {
   bool has_256_levels() const { return levels == std::array{256, 256, 256}; }
   /// The level of a linear colour in a channel of the file; in integers that of a NaN is 0.
   float level(float colour, std::size_t channel) const { return rounded(unrounded(colour), channel); }
-  /// In two steps, the first of which is the dear one and the same for every rounding and order of channels.
+  /// In two steps, the first of which is the dear one and the same for every rounding.
   float unrounded(float colour) const;
   /// On the scale of 0 to 255, however many levels there are.
   float rounded(float level, std::size_t channel) const;

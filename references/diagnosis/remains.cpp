@@ -32,8 +32,7 @@ class Holding {
   /// Whether a colour between the two, or off by what float32 rounds, gives what is seen.
   bool holds(const float* low, const float* high, std::size_t pixel) const {
     for (std::size_t channel = 0; channel < channels; ++channel) {
-      const std::size_t from = encoding_.is_bgr ? 2 - channel : channel;
-      if (!holds(low[from], high[from], pixel, channel)) return false;
+      if (!holds(low[channel], high[channel], pixel, channel)) return false;
     }
     return true;
   }
@@ -43,7 +42,7 @@ class Holding {
     const float* const seen = evidence_.seen(pixel);
     float largest = 0;
     for (std::size_t channel = 0; channel < channels; ++channel) {
-      const float level = encoding_.level(colour[encoding_.is_bgr ? 2 - channel : channel], channel);
+      const float level = encoding_.level(colour[channel], channel);
       const float off = std::abs(level - seen[channel]);
       if (!std::isfinite(off)) return 255;
       largest = std::max(largest, off);
@@ -71,27 +70,44 @@ class Holding {
   const OutputEncoding& encoding_;
 };
 
-/// Beside each encoding, the other way of truncating it.
+/// Beside each encoding, the other way of truncating it; and of fewer levels, the ways by 8 bits.
 std::vector<OutputEncoding> all_encodings(const Evidence& evidence) {
   std::vector<OutputEncoding> all = evidence.encodings();
   for (const OutputEncoding& encoding : evidence.encodings()) {
-    if (encoding.is_float || encoding.rounds) continue;
+    if (encoding.is_float || encoding.rounds || encoding.has_equal_parts) continue;
     all.push_back(encoding);
     all.back().has_equal_parts = true;
+  }
+  const auto& levels = all.front().levels;
+  if (all.front().is_float || *std::min_element(levels.begin(), levels.end()) >= 256) return all;
+  for (std::size_t i = 0, direct = all.size(); i < direct; ++i) {
+    for (const Reduced reduced : {Reduced::truncated, Reduced::rounded}) {
+      all.push_back(all[i]);
+      all.back().reduced = reduced;
+    }
   }
   return all;
 }
 
+/// Because of 1e9 pixels none outweighs one that is not held.
+constexpr double price_of_error = 1e-10;
+
 /// Of every so many pixels, how many are not within what the encoding holds, and a little for how far they
-/// are off. It is not counted on beyond `most`.
+/// are off; next to nothing for those that only float32's error puts within it, as in 16 bits that are
+/// rounded or truncated. It is not counted on beyond `most`.
 double cost_of(const Evidence& evidence, const Image& image, const OutputEncoding& encoding, double most) {
   const Holding holding(evidence, encoding);
   const std::size_t pixels = evidence.pixels_of_picture();
   const std::size_t stride = 1 + pixels / most_to_choose_by;
+  const double half_a_step = 127.5 / *std::max_element(encoding.levels.begin(), encoding.levels.end());
   double cost = 0;
   for (std::size_t i = 0; i < pixels && cost < most; i += stride) {
     const float* const colour = &image.rgb[channels * i];
-    if (!holding.holds(colour, colour, i)) cost += 1 + std::log1p(holding.levels_off(colour, i)) / 8;
+    if (!holding.holds(colour, colour, i)) {
+      cost += 1 + std::log1p(holding.levels_off(colour, i)) / 8;
+    } else if (!encoding.is_float && holding.levels_off(colour, i) > half_a_step) {
+      cost += price_of_error;
+    }
   }
   return cost;
 }

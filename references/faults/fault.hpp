@@ -25,7 +25,7 @@ struct Subject {
 /// with those of the aspect.
 struct Fault {
   std::string_view id;           ///< lower case, words joined by -
-  int catalogue;                 ///< its entry in the catalogue of faults of real tracers, 1..37
+  int catalogue;                 ///< its entry in the catalogue of faults of real tracers, 1..45
   std::string_view slide;        ///< of the lecture; "Decision" where it is silent
   std::string_view explanation;  ///< one sentence
   std::string_view wrong;        ///< formula

@@ -1,5 +1,6 @@
 // What happens to a right picture after the render.
 #include <algorithm>
+#include <utility>
 
 #include "references/faults/areas.hpp"
 #include "tracer/image/encode.hpp"
@@ -31,6 +32,10 @@ void flip_columns(Image& image) {
   }
 }
 
+void exchange_red_and_blue(Image& image) {
+  for (std::size_t i = 0; i + 2 < image.rgb.size(); i += 3) std::swap(image.rgb[i], image.rgb[i + 2]);
+}
+
 }  // namespace
 
 std::vector<Fault> of_the_output() {
@@ -44,6 +49,9 @@ std::vector<Fault> of_the_output() {
       {"left-right-swapped", 37, "Verfolgen von Strahlen", "Left and right have changed places.",
        "column w - 1 at the left", "column 0 at the left", "not counted", "prototype-401.sdf", nullptr,
        &flip_columns},
+      {"red-blue-exchanged", 43, "Decision", "Red and blue have changed places in the picture.",
+       "blue, green, red", "red, green, blue", "not counted", "combined-still-life.sdf", nullptr,
+       &exchange_red_and_blue},
   };
 }
 

@@ -37,9 +37,10 @@ Json record_of(const OutputEncoding& encoding) {
   return {{"tone_map", encoding.tone_map},
           {"curve", static_cast<int>(encoding.curve)},
           {"rounds", encoding.rounds},
-          {"is_bgr", encoding.is_bgr},
           {"is_float", encoding.is_float},
           {"has_equal_parts", encoding.has_equal_parts},
+          {"has_upper_bits", encoding.has_upper_bits},
+          {"reduced", static_cast<int>(encoding.reduced)},
           {"levels", encoding.levels},
           {"lost", encoding.lost},
           {"shares_exponent", encoding.shares_exponent}};
@@ -50,9 +51,10 @@ OutputEncoding encoding_of(const Json& json) {
   encoding.tone_map = json.at("tone_map");
   encoding.curve = static_cast<Curve>(json.at("curve").get<int>());
   encoding.rounds = json.at("rounds");
-  encoding.is_bgr = json.at("is_bgr");
   encoding.is_float = json.at("is_float");
   encoding.has_equal_parts = json.at("has_equal_parts");
+  encoding.has_upper_bits = json.at("has_upper_bits");
+  encoding.reduced = static_cast<Reduced>(json.at("reduced").get<int>());
   encoding.levels = json.at("levels").get<std::array<int, 3>>();
   encoding.lost = json.at("lost");
   encoding.shares_exponent = json.at("shares_exponent");
@@ -77,6 +79,7 @@ Json record_of(const Diagnosis& diagnosis) {
           {"edges", diagnosis.edges},
           {"unexplained_pixels", diagnosis.unexplained_pixels},
           {"explained", diagnosis.explained},
+          {"is_of_one_colour", diagnosis.is_of_one_colour},
           {"shapes", shapes}};
 }
 
@@ -93,6 +96,7 @@ Diagnosis diagnosis_of(const Json& json) {
   diagnosis.edges = json.at("edges");
   diagnosis.unexplained_pixels = json.at("unexplained_pixels");
   diagnosis.explained = real_of(json.at("explained"));
+  diagnosis.is_of_one_colour = json.at("is_of_one_colour");
   for (const Json& shape : json.at("shapes"))
     diagnosis.shapes.push_back({shape.at(0).get<std::string>(), shape.at(1).get<std::size_t>()});
   return diagnosis;

@@ -100,10 +100,8 @@ Picture picture_of(const ImageFile& image) {
 
 Picture picture_of(const Image& image, const OutputEncoding& encoding) {
   Picture picture{image.width, image.height, {}};
-  for (std::size_t i = 0; i < image.rgb.size(); ++i) {
-    const std::size_t from = encoding.is_bgr ? i - i % 3 + (2 - i % 3) : i;
-    picture.levels.push_back(byte_of(encoding.level(image.rgb[from], i % 3)));
-  }
+  for (std::size_t i = 0; i < image.rgb.size(); ++i)
+    picture.levels.push_back(byte_of(encoding.level(image.rgb[i], i % 3) + 0.5F));
   return picture;
 }
 

@@ -59,9 +59,8 @@ TEST(Faults, IdsAreUniqueAndPlain) {
 TEST(Faults, EveryEntryOfTheCatalogueIsThere) {
   std::set<int> entries;
   for (const Fault& f : fault_catalogue()) entries.insert(f.catalogue);
-  EXPECT_EQ(entries.size(), 37U);
-  EXPECT_EQ(*entries.begin(), 1);
-  EXPECT_EQ(*entries.rbegin(), 37);
+  for (int entry = 1; entry <= 37; ++entry) EXPECT_EQ(entries.count(entry), 1U) << entry;
+  EXPECT_EQ(entries.count(43), 1U);
   EXPECT_GE(fault_catalogue().size(), 45U);
 }
 
@@ -110,9 +109,9 @@ TEST(Faults, PixelCornerAndAspectGoTogetherInAnyOrder) {
   EXPECT_GT(changed(both, rendered(scene, {fault("pixel-corner")})), 0);
 }
 
-TEST(Faults, UpsideDownIsUndoneByItself) {
+TEST(Faults, ExchangesAreUndoneByThemselves) {
   const std::string scene = "prototype-401.sdf";
-  for (const char* id : {"upside-down", "left-right-swapped"})
+  for (const char* id : {"upside-down", "left-right-swapped", "red-blue-exchanged"})
     EXPECT_EQ(rendered(scene, {fault(id), fault(id)}).rgb, rendered(scene, {}).rgb) << id;
 }
 
