@@ -64,7 +64,9 @@ void add_directory(Side& side, const std::vector<std::string>& left_out) {
     if (at->is_directory()) {
       if (is_hidden) at.disable_recursion_pending();
       if (!is_hidden && at->is_symlink()) side.others.push_back(path.string());
-    } else if (!is_hidden && path.filename() != BoundsFile::file_name && !is_left_out(path, left_out)) {
+    } else if (is_hidden) {
+      if (is_image_name(path.string())) side.others.push_back(path.string());
+    } else if (path.filename() != BoundsFile::file_name && !is_left_out(path, left_out)) {
       add_file(side, path, false);
     }
   }
@@ -83,6 +85,10 @@ struct Matches {
 };
 
 void add_matches(Side& side, const std::vector<std::string>& left_out) {
+  if (side.argument.find("**") != std::string::npos)
+    throw std::runtime_error(side.argument +
+                             ": found **, which would match one directory alone, expected a directory, which "
+                             "is compared with all below it, or a pattern with one * for each name");
   const Matches matches(side.argument);
   for (std::size_t i = 0; i < matches.found.gl_pathc; ++i) {
     const fs::path path = matches.found.gl_pathv[i];

@@ -87,9 +87,15 @@ std::string described(const std::string& role, const std::string& name) {
   return "a further channel (" + name + ")";
 }
 
+bool have_one_in_common(const std::vector<std::string>& a, const std::vector<std::string>& b) {
+  return std::any_of(a.begin(), a.end(),
+                     [&](const std::string& name) { return std::find(b.begin(), b.end(), name) != b.end(); });
+}
+
 /// The first channel of `more` that `less` lacks, for the message.
 std::string surplus(const std::string& whose, const PixelRows& more, const PixelRows& less) {
   const std::vector<std::string> roles = roles_of(more), names = names_of(more), others = roles_of(less);
+  if (!have_one_in_common(roles, others)) return "no channel of " + whose + " is in the other";
   for (std::size_t c = 0; c < roles.size(); ++c) {
     if (std::find(others.begin(), others.end(), roles[c]) != others.end()) continue;
     return whose + " has " + described(roles[c], names[c]) +
@@ -110,7 +116,10 @@ std::optional<std::string> channel_mismatch(const PixelRows& reference, const Pi
     return std::nullopt;
   if (roles_of(reference) == roles_of(test)) return std::nullopt;
   return "the channels of the test picture are " + listed(names_of(test)) + ", those of the reference " +
-         listed(names_of(reference)) + ": name those to compare (--channels)";
+         listed(names_of(reference)) + ": " +
+         (have_one_in_common(names_of(reference), names_of(test))
+              ? "name those to compare that both have (--channels)"
+              : "no name is in both; write the same channels in both, or in files that name none (.pfm)");
 }
 
 }  // namespace

@@ -56,7 +56,7 @@ bool is_plumbs(const std::string& path) {
 [[noreturn]] void refuse(const std::string& path) {
   throw std::runtime_error(
       in_quotes(path) +
-      " is there already, and plumb did not write it, or it was changed since: it is left "
+      " is there already, and no render without -o wrote it, or it was changed since: it is left "
       "as it is; to replace it, or to write another file, name the image with -o");
 }
 

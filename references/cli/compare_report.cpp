@@ -5,6 +5,7 @@
 
 #include "references/cli/bounds_options.hpp"
 #include "references/cli/options.hpp"
+#include "references/cli/report.hpp"
 
 namespace plumb::cli {
 namespace {
@@ -51,6 +52,8 @@ void CompareReport::add(const std::string& name, Findings&& findings, const Json
   if (!allowed.empty()) said += (said.empty() ? "bounds: " : "\nbounds: ") + allowed;
   const std::string contents = contents_of(findings);
   if (!contents.empty()) said += (said.empty() ? "" : "\n") + contents.substr(0, contents.size() - 1);
+  if (findings.cause)
+    said = "likely cause: " + cause_text(*findings.cause) + (said.empty() ? "" : "\n") + said;
   if (!said.empty()) entry.result["message"] = said;
   entry.tolerance = findings.bounds.limit;
   entry.mask = findings.result.mask;

@@ -10,6 +10,7 @@
 #include "references/bounds_file.hpp"
 #include "references/cli/commands.hpp"
 #include "references/cli/compare_report.hpp"
+#include "references/cli/metrics.hpp"
 #include "references/cli/options.hpp"
 #include "references/difference_image.hpp"
 #include "references/image_pairs.hpp"
@@ -150,10 +151,19 @@ class Several {
     const std::string allowed = bounds_text(f.bounds, f.result);
     std::string row = name + std::string(std::max<std::size_t>(width_, name.size()) - name.size(), ' ') +
                       figures + verdict_of(f);
-    if (!f.agrees()) return row + "\n      " + indented(details_of(f));
-    if (!allowed.empty()) row += "\n      bounds: " + indented(allowed);
-    const std::string contents = contents_of(f);
-    return contents.empty() ? row : row + "\n      " + indented(contents.substr(0, contents.size() - 1));
+    const auto add = [&](std::string text) {
+      if (!text.empty() && text.back() == '\n') text.pop_back();
+      if (!text.empty()) row += "\n      " + indented(text);
+    };
+    if (f.metrics) add(metrics_table(*f.metrics));
+    if (!f.no_metrics.empty()) add("no metrics: " + f.no_metrics);
+    if (!f.agrees()) {
+      add(details_of(f));
+      return row;
+    }
+    if (!allowed.empty()) add("bounds: " + allowed);
+    add(contents_of(f));
+    return row;
   }
 
   void write_difference_of(const ImagePair& pair, const Findings& f) const {
@@ -211,7 +221,7 @@ class Several {
       named += (i == 0 ? "" : ", ") + found_.others[i];
     if (found_.others.size() > most_named) named += ", ...";
     if (!named.empty())
-      tell("not compared, for these are no images by name, or no files: %s\n", named.c_str());
+      tell("not compared, for these are hidden, no images by name, or no files: %s\n", named.c_str());
     tell("%zu pair%s: %zu agree, %zu differ, %zu in trouble\n", results_.size(),
          results_.size() == 1 ? "" : "s", count(JunitCase::Outcome::passed),
          count(JunitCase::Outcome::failed), count(JunitCase::Outcome::error));

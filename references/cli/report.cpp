@@ -1,6 +1,7 @@
 #include "references/cli/report.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <filesystem>
 
@@ -64,6 +65,9 @@ Json flip_json(const references::Flip& flip) {
   return json;
 }
 
+constexpr std::array figures_of_comparison{"max_error",   "judged_error", "mean_error", "rms_error",
+                                           "pixels_over", "non_finite",   "worst"};
+
 }  // namespace
 
 std::string judgement_text(const references::Judgement& judgement) {
@@ -83,6 +87,9 @@ Json scene_json(const SceneResult& r) {
             {"width", r.width},
             {"height", r.height}};
   json.update(plumb::cli::to_json(r.comparison));
+  const bool has_figures = r.status != Status::error && r.not_compared.empty();
+  for (const char* const key : figures_of_comparison)
+    if (!has_figures) json[key] = nullptr;  // 0 would say that nothing differs
   json["metrics"] = plumb::cli::to_json(r.metrics);
   json["budget"] = plumb::cli::to_json(r.budget);
   json["unexamined"] = r.budget.unexamined;

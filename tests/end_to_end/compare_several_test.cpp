@@ -128,11 +128,11 @@ TEST_F(CompareSeveral, WhatIsNoImageByItsNameIsSaid) {
   picture("ref/a.pfm", 3);
   picture("mine/a.pfm", 3);
   workplace_.file("mine/notes.txt", "");
-  workplace_.file("mine/.hidden.pfm", "");
+  workplace_.file("mine/.notes", "");
   const Outcome outcome = compare("ref", "mine");
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_TRUE(contains(outcome.out, "mine/notes.txt")) << outcome.out;
-  EXPECT_FALSE(contains(outcome.out, "hidden")) << outcome.out;
+  EXPECT_FALSE(contains(outcome.out, ".notes")) << outcome.out;
 }
 
 TEST_F(CompareSeveral, JunitHasACaseForEachPair) {
@@ -223,6 +223,31 @@ TEST_F(CompareSeveral, DifferencesAreNoInputsOfTheNextRun) {
   EXPECT_EQ(read_file(workplace_.path("ref/a.exr")), before);
   EXPECT_EQ(listing(workplace_.directory()),
             (std::vector<std::string>{"mine", "mine/a.exr", "ref", "ref/a.exr"}));
+}
+
+TEST_F(CompareSeveral, MetricsAreToldOfEachPair) {
+  for (const char* const side : {"ref", "mine"}) picture(std::string(side) + "/a.pfm", 20);
+  const Outcome outcome = compare("ref", "mine", {"--metrics"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  for (const char* const part :
+       {"agree\n      peak ", "\n      PSNR         none: nothing differs", "SSIM", "FLIP"})
+    EXPECT_TRUE(contains(outcome.out, part)) << outcome.out;
+}
+
+TEST_F(CompareSeveral, APatternThatWouldMatchLessThanItSaysIsRefused) {
+  picture("ref/deep/er/a.pfm", 20);
+  expect_trouble(compare("ref/**/*.pfm", "ref/**/*.pfm"), {"found **", "a directory"});
+}
+
+TEST_F(CompareSeveral, HiddenImagesAreSaidToBeLeftOut) {
+  for (const char* const side : {"ref", "mine"}) {
+    picture(std::string(side) + "/a.pfm", 20);
+    picture(std::string(side) + "/.b.pfm", 20);
+  }
+  const Outcome outcome = compare("ref", "mine");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_TRUE(contains(outcome.out, "not compared")) << outcome.out;
+  EXPECT_TRUE(contains(outcome.out, "ref/.b.pfm, mine/.b.pfm")) << outcome.out;
 }
 
 }  // namespace

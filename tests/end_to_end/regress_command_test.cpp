@@ -98,6 +98,8 @@ TEST_F(Regress, ANewSceneDiffersUntilItIsApproved) {
   EXPECT_TRUE(contains(outcome.out, "new: there is no baseline yet")) << outcome.out;
   EXPECT_TRUE(contains(outcome.out, "approve with: ")) << outcome.out;
   EXPECT_EQ(files(), (std::vector<std::string>{"scenes", "scenes/ball.sdf"})) << "a look stores nothing";
+  for (const char* const figure : {"max_error", "pixels_over", "worst"})
+    EXPECT_TRUE(scene_json({}).at(figure).is_null()) << figure << ": nothing was compared";
 }
 
 TEST_F(Regress, AnotherSizeDiffers) {

@@ -10,7 +10,7 @@ const number = (key) => (scene) => scene.result[key];
 
 /** id, title, value to sort by, and whether the largest comes first. */
 const columns = [
-  ["name", "Scene", (scene) => scene.name],
+  ["name", "Name", (scene) => scene.name],
   ["status", "Result", (scene) => describe(scene.result.status).rank],
   ["max_error", "Max error", number("max_error"), true],
   ["mean_error", "Mean", number("mean_error"), true],
