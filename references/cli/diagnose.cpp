@@ -10,6 +10,7 @@
 #include "references/cli/diagnose_report.hpp"
 #include "references/cli/options.hpp"
 #include "references/cli/report.hpp"
+#include "references/diagnosis/handed_in.hpp"
 #include "references/diagnosis/json.hpp"
 #include "references/teaching/tell_apart.hpp"
 #include "tracer/image/io.hpp"
@@ -57,23 +58,30 @@ Json to_json(const std::vector<TellApart>& tell_apart) {
 }
 
 Json to_json(const Options& options, const references::Diagnosis& diagnosis,
-             const std::vector<TellApart>& tell_apart) {
+             const std::vector<TellApart>& tell_apart, const std::string& not_looked_at) {
   Json json{
       {"tool", "plumb"}, {"version", PLUMB_VERSION}, {"scene", options.scene}, {"image", options.image}};
-  json.update(references::to_json(diagnosis, 3));
-  json["tell_apart"] = to_json(tell_apart);
+  json.update(references::to_json(diagnosis, options.hint));
+  if (!not_looked_at.empty()) json["not_looked_at"] = not_looked_at;
+  if (options.hint == 3) json["tell_apart"] = to_json(tell_apart);
   return json;
 }
 
 /// 1 names the slide alone, 2 also what is wrong there, 3 the formula, too.
 void print(const references::FoundFault& found, int hint) {
   const references::Fault& fault = *found.fault;
+  const std::size_t others = found.alike.size();
+  const std::string or_others =
+      others == 0 || hint == 3 ? ""
+      : others == 1            ? ", or another mistake, which gives the same picture here"
+                    : ", or one of " + std::to_string(others) + " others, which give the same picture here";
   if (hint == 1) {
-    std::printf("  look at the slide \"%s\" (%zu pixels)\n", text_of(fault.slide).c_str(), found.pixels);
+    std::printf("  look at the slide \"%s\" (%zu pixels)%s\n", text_of(fault.slide).c_str(), found.pixels,
+                or_others.c_str());
     return;
   }
-  std::printf("  %s (slide \"%s\"; confidence %.2f, %zu pixels)\n", text_of(fault.explanation).c_str(),
-              text_of(fault.slide).c_str(), found.confidence, found.pixels);
+  std::printf("  %s (slide \"%s\"; confidence %.2f, %zu pixels)%s\n", text_of(fault.explanation).c_str(),
+              text_of(fault.slide).c_str(), found.confidence, found.pixels, or_others.c_str());
   if (hint == 2) return;
   std::printf("      id     %s\n      found  %s\n      right  %s\n", text_of(fault.id).c_str(),
               text_of(fault.wrong).c_str(), text_of(fault.right).c_str());
@@ -106,7 +114,9 @@ void print_faults(const Options& options, const references::Diagnosis& d) {
 void print_unexplained(const Options& options, const references::Diagnosis& d) {
   const bool is_other = 2 * d.pixels_over > d.pixels;
   std::printf("%s: no set of known faults explains it%s\n", options.image.c_str(),
-              is_other ? "; is it a picture of this scene?" : "");
+              d.is_of_one_colour ? "; the picture has one colour, which tells no mistake from another"
+              : is_other         ? "; is it a picture of this scene?"
+                                 : "");
 }
 
 void print(const Options& options, const references::Diagnosis& d) {
@@ -188,7 +198,11 @@ int run_diagnose(const Options& options) {
   const Scene scene = load_scene(options.scene, dialect_of(options.common), warn);
   const View view = view_of(scene, options.common);
   const PixelRows rows = open_image(options.image);
+  if (const auto complaint = references::complaint_about_contents(rows))
+    throw std::invalid_argument(options.image + ": " + *complaint);
   check_size(options, rows, view.size);
+  const std::string not_looked_at = references::not_looked_at(rows);
+  if (!not_looked_at.empty()) warn(options.image + ": not looked at: " + not_looked_at);
   const ImageFile seen = image_of(rows);
   RenderJob job;
   job.width = seen.width;
@@ -196,13 +210,12 @@ int run_diagnose(const Options& options) {
   job.options = render_options_of(options.common);
   const references::Diagnosis diagnosis =
       references::diagnose(scene, view.camera, job, seen, options.tolerance);
-  const bool is_asked = options.hint == 3 || !options.json.empty();
-  const auto tell_apart = is_asked ? scenes_that_tell_apart(diagnosis) : std::vector<TellApart>{};
+  const auto tell_apart = options.hint == 3 ? scenes_that_tell_apart(diagnosis) : std::vector<TellApart>{};
   if (options.json != "-") {
     print(options, diagnosis);
     print(tell_apart, options.hint);
   }
-  if (!options.json.empty()) write_json(options.json, to_json(options, diagnosis, tell_apart));
+  if (!options.json.empty()) write_json(options.json, to_json(options, diagnosis, tell_apart, not_looked_at));
   if (options.report.empty()) return exit_code_of(diagnosis.verdict);
   write_diagnosis(options.report, {options.image, scene, view.camera, job, seen, diagnosis, tell_apart},
                   options.hint);

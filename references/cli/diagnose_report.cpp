@@ -43,7 +43,10 @@ std::string figures_of(const references::FoundFault& found) {
   char text[96];
   std::snprintf(text, sizeof text, "confidence %.2f, %zu pixels are right with it and not without",
                 found.confidence, found.pixels);
-  return "<p class=muted>" + std::string(text) + "</p>";
+  std::string words(text);
+  if (!found.alike.empty())
+    words += "; so many other mistakes give the same picture here: " + std::to_string(found.alike.size());
+  return "<p class=muted>" + words + "</p>";
 }
 
 /// `hint` as on the terminal: 1 the slide, 2 the mistake, 3 formulas and pictures.

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <charconv>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -93,9 +94,25 @@ references::JudgeOptions judge_options(const Options& options) {
   return judge;
 }
 
-std::vector<references::Submission> submissions_of(const Options& options) {
+/// A script that runs the submissions may lie among them.
+std::vector<references::Submission> without_command(std::vector<references::Submission> all,
+                                                    const references::JudgeOptions& judge) {
+  std::erase_if(all, [&](const references::Submission& submission) {
+    std::error_code none;
+    return std::any_of(judge.command.begin(), judge.command.end(),
+                       [&](const std::string& word) { return fs::equivalent(word, submission.path, none); });
+  });
+  if (all.empty())
+    throw std::invalid_argument(
+        "--submissions: found nothing but what --renderer names, expected submissions");
+  return all;
+}
+
+std::vector<references::Submission> submissions_of(const Options& options,
+                                                   const references::JudgeOptions& judge) {
   if (!options.images.empty()) return references::pictures_in(options.images);
-  if (!options.submissions.empty()) return references::submissions_in(options.submissions);
+  if (!options.submissions.empty())
+    return without_command(references::submissions_in(options.submissions), judge);
   return {{options.renderer, ""}};
 }
 
@@ -129,6 +146,24 @@ references::RunFacts shuffle(const Options& options, const Dialect& dialect,
   return facts;
 }
 
+/// The pictures that nobody judges, which is said.
+std::vector<std::string> of_no_scene(const Options& options,
+                                     const std::vector<references::Submission>& submissions,
+                                     const std::vector<references::JudgedScene>& scenes) {
+  constexpr std::size_t most_named = 5;
+  const std::vector<std::string> all = references::pictures_of_no_scene(options.images, submissions, scenes);
+  std::string named;
+  for (std::size_t i = 0; i < std::min(most_named, all.size()); ++i)
+    named += (i == 0 ? "" : ", ") + references::shown_text(all[i]);
+  if (all.size() > most_named) named += " and " + std::to_string(all.size() - most_named) + " more";
+  if (!all.empty())
+    warn(
+        "--images: not judged, for no scene has that name, or they lie beside directories, each of "
+        "which is a submission: " +
+        named);
+  return all;
+}
+
 int exit_code_of(const std::vector<references::JudgedPicture>& all) {
   const auto any = [&](references::Judged verdict) {
     return std::any_of(all.begin(), all.end(), [&](const auto& p) { return p.verdict == verdict; });
@@ -141,11 +176,12 @@ int exit_code_of(const std::vector<references::JudgedPicture>& all) {
 int run_judge(const Options& options) {
   check_options(options);
   references::JudgeOptions judge = judge_options(options);
-  const auto submissions = submissions_of(options);
+  const auto submissions = submissions_of(options, judge);
   auto scenes = references::scenes_to_judge(options.scenes, judge.dialect);
   references::RunFacts facts = shuffle(options, judge.dialect, scenes);
   if (!judge.command.empty()) facts.not_enforced = references::limits_not_enforced();
   if (!facts.not_enforced.empty()) warn("judge: " + facts.not_enforced);
+  if (!options.images.empty()) facts.of_no_scene = of_no_scene(options, submissions, scenes);
   const auto journal = open_journal(options.outputs);
   facts.journal = judge.journal = journal.get();
   const references::Interrupts interrupts;
@@ -167,6 +203,15 @@ int run_judge(const Options& options) {
   return code;
 }
 
+/// The parser would take -1 and wrap what is too large.
+std::string complaint_about_seed(const std::string& text) {
+  std::uint64_t seed = 0;
+  const char* const end = text.data() + text.size();
+  const auto read = std::from_chars(text.data(), end, seed);
+  if (read.ec == std::errc() && read.ptr == end) return {};
+  return "found " + text + ", expected a whole number from 0 to 18446744073709551615";
+}
+
 void add_what(CLI::App& app, Options& options) {
   app.add_option("--renderer", options.renderer,
                  "the tracer and its arguments; {scene}, {image} and {submission} stand for paths; no shell "
@@ -181,9 +226,11 @@ void add_what(CLI::App& app, Options& options) {
          "--shuffle", options.shuffle,
          "vary positions, sizes, colours and names in the scenes, the same for the same SEED, so that "
          "they show the same faults and nobody has seen their pictures")
-      ->type_name("SEED");
+      ->type_name("SEED")
+      ->check(CLI::Validator(complaint_about_seed, "", "seed"));
   app.add_option("--readable", options.readable,
-                 "what the tracer may read beside the system's directories and its own")
+                 "what the tracer may read beside the system's directories and its own; plumb itself stays "
+                 "hidden there")
       ->type_name("PATH");
 }
 
@@ -231,6 +278,10 @@ Command add_judge(CLI::App& plumb) {
       "The picture is {image}, or the file that the scene's render line names. Programs run in bubblewrap:\n"
       "no network, nothing to write but a /tmp of their own, homes hidden. What a program does is a result.\n"
       "Ctrl-C writes what is done; the same command goes on with the rest.\n"
+      "Verdicts: right; right-apart from a few pixels; faults that are known; unexplained; wrong-size;\n"
+      "no-image; unreadable; crashed; timed-out, too-much-cpu, too-much-memory, too-many-processes,\n"
+      "too-much-output: stopped at a limit; trouble: ours, it says nothing about the submission; "
+      "not-judged.\n"
       "Exit codes: 0 all pictures are right, 1 some are not, 2 trouble, or not all were judged.");
   return {app, [options] { return run_judge(*options); }};
 }

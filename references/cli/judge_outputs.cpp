@@ -29,7 +29,7 @@ void print(const JudgedPicture& picture, int hint) {
   std::string why = picture.message;
   if (picture.verdict == Judged::faults)
     for (const references::FoundFault& found : picture.diagnosis->faults)
-      why += (why.empty() ? "" : "; ") + references::named(*found.fault, hint);
+      why += (why.empty() ? "" : "; ") + references::found_in_words(found, hint);
   std::printf("%-18s %s  %s  %s\n", to_string(picture.verdict), printable(picture.submission).c_str(),
               printable(picture.scene).c_str(), printable(why).c_str());
 }
@@ -70,8 +70,10 @@ void print_summary(const JudgeOutputs& outputs, const std::vector<JudgedPicture>
   for (const JudgedPicture& picture : all) submissions.insert(picture.submission);
   const auto right =
       std::count_if(all.begin(), all.end(), [](const auto& p) { return p.verdict == Judged::right; });
-  std::printf("%zu submissions, %zu scenes: %td of %zu pictures are right\n", submissions.size(),
-              all.size() / submissions.size(), right, all.size());
+  const std::size_t scenes = all.size() / submissions.size();
+  std::printf("%zu submission%s, %zu scene%s: %td of %zu picture%s right\n", submissions.size(),
+              submissions.size() == 1 ? "" : "s", scenes, scenes == 1 ? "" : "s", right, all.size(),
+              all.size() == 1 ? " is" : "s are");
   if (const std::size_t done = references::judged_count(all); done != all.size())
     std::printf("interrupted: %zu of %zu pictures were not judged; the same command goes on\n",
                 all.size() - done, all.size());

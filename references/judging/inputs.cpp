@@ -1,9 +1,12 @@
 #include <algorithm>
 #include <filesystem>
+#include <set>
 #include <stdexcept>
 
 #include "references/judging/judging.hpp"
+#include "references/judging/run_tracer.hpp"
 #include "references/judging/shown_text.hpp"
+#include "tracer/image/format.hpp"
 #include "tracer/scene/reader.hpp"
 
 namespace plumb::references {
@@ -20,7 +23,14 @@ std::vector<fs::path> entries_of(const std::string& directory) {
   return all;
 }
 
-/// A link that is handed in is not followed: it may lead to what is not the submission's.
+bool is_picture_name(const fs::path& path) {
+  const std::string extension = extension_of(path.string());
+  return std::find(picture_extensions.begin(), picture_extensions.end(), extension) !=
+         picture_extensions.end();
+}
+
+/// A link that is handed in is not followed: it may lead to what is not the submission's. It is told when it
+/// is judged.
 Submission submission_at(const fs::path& path) {
   return {shown_name(path.filename().string()),
           (fs::canonical(path.parent_path()) / path.filename()).string()};
@@ -51,12 +61,40 @@ std::vector<Submission> submissions_in(const std::string& directory) {
 std::vector<Submission> pictures_in(const std::string& directory) {
   std::vector<Submission> all;
   for (const fs::path& path : entries_of(directory))
-    if (fs::is_directory(fs::symlink_status(path))) all.push_back(submission_at(path));
+    if (fs::is_directory(path)) all.push_back(submission_at(path));
   if (all.empty()) {
     const fs::path self = fs::canonical(directory);
     all.push_back({shown_name(self.filename().string()), self.string()});
   }
   return all;
+}
+
+std::vector<std::string> pictures_of_no_scene(const std::string& directory,
+                                              const std::vector<Submission>& submissions,
+                                              const std::vector<JudgedScene>& scenes) {
+  std::set<std::string> names;
+  for (const JudgedScene& scene : scenes) names.insert(scene.name);
+  const fs::path top = fs::canonical(directory);
+  std::vector<std::string> found;
+  const auto look = [&](const fs::path& place, bool is_submission) {
+    std::error_code unreadable;
+    for (fs::directory_iterator at(place, unreadable), end; !unreadable && at != end;
+         at.increment(unreadable)) {
+      const fs::path& path = at->path();
+      std::error_code none;
+      if (!is_picture_name(path) || fs::is_directory(path, none)) continue;
+      if (!is_submission || !names.contains(path.stem().string()))
+        found.push_back(path.lexically_relative(top).string());
+    }
+  };
+  bool has_directories = true;
+  for (const Submission& submission : submissions) {
+    has_directories &= submission.path != top;
+    if (!fs::is_symlink(submission.path)) look(submission.path, true);
+  }
+  if (has_directories) look(top, false);
+  std::sort(found.begin(), found.end());
+  return found;
 }
 
 }  // namespace plumb::references

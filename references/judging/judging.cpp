@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <filesystem>
 #include <mutex>
 #include <new>
 #include <stdexcept>
@@ -10,6 +11,7 @@
 #include <thread>
 #include <utility>
 
+#include "references/diagnosis/handed_in.hpp"
 #include "references/in_parallel.hpp"
 #include "references/judging/interrupts.hpp"
 #include "references/judging/journal.hpp"
@@ -46,6 +48,8 @@ std::optional<ImageFile> read_picture(const std::string& file, const JudgedScene
   request.most_pixels = std::int64_t{asked.width} * asked.height;  // a larger one isn't decoded
   try {
     const PixelRows rows = open_image(file, request);
+    if (const auto complaint = complaint_about_contents(rows)) throw std::runtime_error(*complaint);
+    result.message = not_looked_at(rows);
     if (rows.width == asked.width && rows.height == asked.height) return image_of(rows);
     has_wrong_size(rows.width, rows.height);
   } catch (const PictureTooLarge& error) {
@@ -96,7 +100,9 @@ std::string judge_picture(const std::string& file, const JudgedScene& scene, con
   const Camera& camera = scene.scene.camera(asked.camera);
   result.diagnosis = diagnose(scene.scene, camera, job, *seen, options.tolerance);
   result.verdict = verdict_of(result.diagnosis->verdict);
-  result.message = summary_of(*result.diagnosis);
+  const std::string left = result.message.empty() ? "" : "not looked at: " + result.message;
+  const std::string summary = summary_of(*result.diagnosis);
+  result.message = summary + (summary.empty() || left.empty() ? "" : "; ") + left;
   if (!options.keeps_pictures) return {};
   return figures_of(render(Renderer::engine, scene.scene, camera, job), *seen, result.diagnosis->encoding);
 }
@@ -104,6 +110,10 @@ std::string judge_picture(const std::string& file, const JudgedScene& scene, con
 /// The HTML of the pictures, when they are kept.
 std::string judge_one(const Submission& submission, const JudgedScene& scene, const JudgeOptions& options,
                       JudgedPicture& result) {
+  if (std::filesystem::is_symlink(submission.path))
+    throw std::runtime_error(submission.path +
+                             ": found a link, which may lead to what is not the submission's, expected a "
+                             "file or a directory; put a copy in its place (cp -rL)");
   const TemporaryDirectory own;
   const std::string file = options.command.empty()
                                ? picture_handed_in(submission, scene, options, own.path(), result)

@@ -62,7 +62,7 @@ struct JudgedPicture {
   std::string submission;
   std::string scene;
   Judged verdict = Judged::not_judged;
-  std::string message;                 ///< one line; empty when there is a diagnosis
+  std::string message;                 ///< one line; empty when the picture is right and looked at as a whole
   std::string printed;                 ///< by the program
   double wall_seconds = 0;             ///< of the program
   std::optional<Diagnosis> diagnosis;  ///< when there was a picture of the right size
@@ -94,6 +94,12 @@ std::vector<Submission> submissions_in(const std::string& directory);
 
 /// The submissions of a directory of pictures: its directories; itself, when it has none.
 std::vector<Submission> pictures_in(const std::string& directory);
+
+/// The files with a picture's name, below a directory of pictures, that are of no scene: relative to it, by
+/// name.
+std::vector<std::string> pictures_of_no_scene(const std::string& directory,
+                                              const std::vector<Submission>& submissions,
+                                              const std::vector<JudgedScene>& scenes);
 
 /// All submissions on all scenes, by submission, then by scene. Whatever goes wrong with one is its verdict,
 /// and the others keep theirs. Throws std::runtime_error only when nothing can be confined.

@@ -80,7 +80,8 @@ std::string why_no_picture(const std::string& printed, const std::vector<std::st
   if (const std::string kind = printed_image(printed); !kind.empty())
     return "the picture was printed to standard output as " + kind +
            ", expected it in the file {image}: write " +
-           "it there, or judge --renderer 'sh -c \"COMMAND > $0\" {image}'";
+           "it there, or, where all print it, judge --renderer 'sh -c \"\\\"$@\\\" > \\\"$0\\\"\" {image} "
+           "COMMAND'";
   if (!left.empty())
     return "wrote " + list_of(left) + ", expected " + expected + ": write to the path {image}";
   return "wrote nothing, no file and no picture on standard output; expected " + expected;

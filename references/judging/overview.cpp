@@ -1,6 +1,8 @@
 #include "references/judging/overview.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
 #include <map>
 
 #include "references/diagnosis/json.hpp"
@@ -24,7 +26,7 @@ std::string fault_list(const JudgedPicture& picture, HintLevel hint) {
   std::string list;
   if (!picture.diagnosis || picture.verdict != Judged::faults) return list;
   for (const FoundFault& found : picture.diagnosis->faults)
-    list += (list.empty() ? "" : "; ") + named(*found.fault, hint);
+    list += (list.empty() ? "" : "; ") + found_in_words(found, hint);
   return list;
 }
 
@@ -50,6 +52,25 @@ std::string named(const Fault& fault, HintLevel hint) {
   return std::string(fault.id) + ": " + std::string(fault.explanation);
 }
 
+std::string found_in_words(const FoundFault& found, HintLevel hint) {
+  constexpr std::size_t most_named = 3;
+  const std::size_t others = found.alike.size();
+  std::string text = named(*found.fault, hint);
+  if (others > 0 && hint < 3)
+    text +=
+        " (or " + std::to_string(others) + (others == 1 ? " other" : " others") + ": the same picture here)";
+  if (others > 0 && hint >= 3) {
+    text += " (or ";
+    for (std::size_t i = 0; i < std::min(most_named, others); ++i)
+      text += (i == 0 ? "" : ", ") + std::string(found.alike[i]->id);
+    if (others > most_named) text += " or any of " + std::to_string(others - most_named) + " more";
+    text += ": the same picture here)";
+  }
+  std::array<char, 32> confidence{};
+  std::snprintf(confidence.data(), confidence.size(), " [confidence %.2f]", found.confidence);
+  return text + confidence.data();
+}
+
 std::size_t judged_count(const std::vector<JudgedPicture>& all) {
   return static_cast<std::size_t>(std::count_if(
       all.begin(), all.end(), [](const JudgedPicture& p) { return p.verdict != Judged::not_judged; }));
@@ -65,6 +86,7 @@ Json overview_json(const std::vector<JudgedPicture>& all, HintLevel hint, const 
   Json json{{"tool", "plumb"}, {"version", PLUMB_VERSION}, {"complete", judged_count(all) == all.size()}};
   if (facts.seed) json["shuffle"] = {{"seed", *facts.seed}, {"unvaried", facts.unvaried}};
   if (!facts.not_enforced.empty()) json["limits_not_enforced"] = facts.not_enforced;
+  if (!facts.of_no_scene.empty()) json["of_no_scene"] = facts.of_no_scene;
   json["verdicts"] = counts;
   json["pictures"] = pictures;
   return json;

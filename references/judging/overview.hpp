@@ -18,12 +18,17 @@ using HintLevel = int;
 /// What a fault is called at that level, in one line.
 std::string named(const Fault& fault, HintLevel hint);
 
+/// The same, with those that give the same picture in its place, of which a few are named at level 3, and how
+/// sure it is.
+std::string found_in_words(const FoundFault& found, HintLevel hint);
+
 /// What holds for a run as a whole.
 struct RunFacts {
-  std::optional<std::uint64_t> seed;  ///< of --shuffle
-  std::vector<std::string> unvaried;  ///< scenes that were judged as they are in spite of it
-  std::string not_enforced;           ///< limits_not_enforced(), of a run that confines programs
-  const Journal* journal = nullptr;   ///< holds the pictures; may be null
+  std::optional<std::uint64_t> seed;     ///< of --shuffle
+  std::vector<std::string> unvaried;     ///< scenes that were judged as they are in spite of it
+  std::vector<std::string> of_no_scene;  ///< pictures_of_no_scene(), which nobody judged
+  std::string not_enforced;              ///< limits_not_enforced(), of a run that confines programs
+  const Journal* journal = nullptr;      ///< holds the pictures; may be null
 };
 
 /// How many have a verdict.

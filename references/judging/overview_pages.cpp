@@ -87,9 +87,9 @@ std::string cell(const JudgedPicture& picture, const std::string& file, HintLeve
   std::string names;
   if (picture.diagnosis && picture.verdict == Judged::faults) {
     for (const FoundFault& found : picture.diagnosis->faults)
-      names += "<small>" +
-               html_escaped(hint >= 3 ? std::string(found.fault->id) : named(*found.fault, hint)) +
-               "</small>";
+      names +=
+          "<small>" + html_escaped(hint >= 3 ? std::string(found.fault->id) : named(*found.fault, hint)) +
+          (found.alike.empty() ? "" : " or " + std::to_string(found.alike.size()) + " alike") + "</small>";
   }
   return "<td class=\"" + verdict + "\"><a href=\"" + file + "#" + html_escaped(picture.scene) + "\">" +
          verdict + "</a>" + names + "</td>";

@@ -1,5 +1,6 @@
 #include "references/judging/run_tracer.hpp"
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <stdexcept>
@@ -50,7 +51,7 @@ SandboxView view_for(const Submission& submission, const JudgeOptions& options, 
   for (const std::string& word : options.command) allow(word, options, view.readable);
   if (options.submissions_directory.empty()) return view;
   view.hidden.push_back(options.submissions_directory);
-  if (!fs::is_symlink(submission.path)) view.readable.push_back(submission.path);
+  view.readable.push_back(submission.path);
   return view;
 }
 
@@ -94,6 +95,16 @@ bool ended_badly(const SandboxRun& run, JudgedPicture& result) {
   return !result.message.empty();
 }
 
+/// Of what was printed, shortened.
+std::string last_line(const std::string& printed) {
+  constexpr std::size_t longest = 120;
+  const std::size_t end = printed.find_last_not_of(" \t\r\n");
+  if (end == std::string::npos) return {};
+  const std::size_t before = printed.find_last_of('\n', end);
+  const std::size_t begin = before == std::string::npos ? 0 : before + 1;
+  return printed.substr(begin, std::min(longest, end + 1 - begin));
+}
+
 /// `what_else` is said where there is nothing at all.
 void say_why_none(Found found, int exit_code, const std::string& what_else, JudgedPicture& result) {
   result.verdict = Judged::no_image;
@@ -109,6 +120,12 @@ void say_why_none(Found found, int exit_code, const std::string& what_else, Judg
   } else if (exit_code != 0) {
     result.verdict = Judged::crashed;
     result.message = "exit code " + std::to_string(exit_code) + " and no picture: " + what_else;
+    if (exit_code == 127)
+      result.message +=
+          "; a shell says 127 for a program that is not there: what lies outside the system's "
+          "directories is seen with --readable alone";
+    if (const std::string line = last_line(result.printed); !line.empty())
+      result.message += "; its last words: " + line;
   }
 }
 
@@ -159,13 +176,23 @@ std::string picture_handed_in(const Submission& submission, const JudgedScene& s
                               const JudgeOptions& options, const std::string& own_directory,
                               JudgedPicture& result) {
   Found found = Found::nothing;
-  for (const char* extension :
-       {".ppm", ".png", ".pfm", ".exr", ".tif", ".tiff", ".jpg", ".jpeg", ".bmp", ".tga", ".hdr"}) {
-    const std::string target = target_in(own_directory, scene.name + extension);
-    found = take_file(submission.path, scene.name + extension, options.limits.disk_bytes, target);
-    if (found == Found::picture) return target;
-    if (found != Found::nothing) break;
+  std::string name, taken;
+  for (const std::string_view extension : picture_extensions) {
+    const std::string other = scene.name + std::string(extension), target = target_in(own_directory, other);
+    const Found now = take_file(submission.path, other, options.limits.disk_bytes, target);
+    if (now == Found::nothing) continue;
+    if (found != Found::nothing)
+      throw std::runtime_error(submission.path + ": found " + shown_name(name) + " and " + shown_name(other) +
+                               ", expected one picture of each scene");
+    found = now;
+    name = other;
+    taken = target;
   }
+  if (found == Found::picture) return taken;
+  if (found == Found::not_a_file && fs::is_symlink(fs::path(submission.path) / name))
+    throw std::runtime_error(submission.path + "/" + shown_name(name) +
+                             ": found a link, which may lead to what is not the submission's, expected a "
+                             "picture; put a copy in its place (cp -L)");
   if (found == Found::forbidden)
     throw std::runtime_error(submission.path + ": we may not read it; chmod -R u+rX, or judge as its owner");
   say_why_none(found, 0, "no picture " + shown_name(scene.name) + ".ppm, .png, ... was handed in", result);

@@ -58,6 +58,30 @@ TEST_F(DiagnoseCommand, HintsTellMoreByAndBy) {
   EXPECT_FALSE(contains(mistake, "ka-kd-swapped")) << mistake;
 }
 
+TEST_F(DiagnoseCommand, HintsHoldForJsonToo) {
+  ASSERT_EQ(run({"render", "s.sdf", "--fault", "ka-kd-swapped", "-o", "a.ppm"}).exit_code, 0);
+  const std::string slide = run({"diagnose", "s.sdf", "a.ppm", "--hint", "1", "--json", "-"}).out;
+  for (const char* const secret : {"ka-kd-swapped", "ka and kd", "ambiguous", "tell_apart"})
+    EXPECT_FALSE(contains(slide, secret)) << slide;
+  EXPECT_TRUE(contains(slide, "\"slide\"")) << slide;
+}
+
+TEST_F(DiagnoseCommand, RedAndBlueExchangedIsNotRight) {
+  ASSERT_EQ(run({"render", "s.sdf", "--fault", "red-blue-exchanged", "-o", "a.ppm"}).exit_code, 0);
+  const Outcome outcome = run({"diagnose", "s.sdf", "a.ppm"});
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.out;
+  EXPECT_TRUE(contains(outcome.out, "red-blue-exchanged")) << outcome.out;
+}
+
+TEST_F(DiagnoseCommand, APictureOfOneColourNamesNoFault) {
+  std::string dark = "P3 32 24 255\n";
+  for (int i = 0; i < 32 * 24; ++i) dark += "0 0 0\n";
+  workplace_.file("dark.ppm", dark);
+  const Outcome outcome = run({"diagnose", "s.sdf", "dark.ppm"});
+  EXPECT_EQ(outcome.exit_code, 3) << outcome.out << outcome.err;
+  EXPECT_TRUE(contains(outcome.out, "the picture has one colour")) << outcome.out;
+}
+
 TEST_F(DiagnoseCommand, ItAbstainsFromAnotherPicture) {
   workplace_.file("other.sdf", replaced(ball_scene, "0 0 -3 1 red", "1 1 -3 0.5 red"));
   ASSERT_EQ(run({"render", "other.sdf", "-o", "a.ppm"}).exit_code, 0);

@@ -194,7 +194,9 @@ TEST_F(JudgeClassRuns, WhatIsPrintedIsJudgedAsTheMessageSays) {
   const std::string script = workplace_.path("class/prints");
   workplace_.file("class/prints", replaced(read_file(script), " > \"$2\"", ""));
   const auto told = shell(
-      "$JUDGE --renderer 'sh -c \"{submission} {scene} > $0\" {image}' --submissions class --timeout 100");
+      "$JUDGE --renderer 'sh -c \"\\\"$@\\\" > \\\"$0\\\"\" {image} {submission} {scene}' --submissions "
+      "class "
+      "--timeout 100");
   EXPECT_EQ(told.exit_code, 0) << told.output;
 }
 

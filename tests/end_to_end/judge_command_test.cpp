@@ -218,6 +218,46 @@ TEST_F(JudgeCommand, PicturesOfAClass) {
   EXPECT_EQ(pictures[2]["verdict"], "no-image");
 }
 
+TEST_F(JudgeCommand, WhatIsNotJudgedOfAClassIsSaid) {
+  for (const char* const name : {"ada", "ben"}) fs::create_directories(workplace_.path("in/") + name);
+  for (const char* const to :
+       {"in/ada/s.ppm", "in/ben/s.ppm", "in/ben/s.png", "in/ada/other.ppm", "in/s.ppm"})
+    ASSERT_EQ(run_plumb({"render", "scenes/s.sdf", "-o", to}, workplace_.directory()).exit_code, 0);
+  fs::create_directory_symlink("ada", workplace_.path("in/cy"));
+  const Outcome outcome = judge({"--images", "in", "--json", "-"});
+  EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+  const Json json = Json::parse(outcome.out);
+  EXPECT_EQ(json["of_no_scene"], Json({"ada/other.ppm", "s.ppm"}));
+  EXPECT_TRUE(contains(outcome.err, "is a submission: ada/other.ppm, s.ppm"));
+  ASSERT_EQ(json["pictures"].size(), 3U);
+  EXPECT_EQ(json["pictures"][0]["verdict"], "right");
+  EXPECT_EQ(json["pictures"][1]["verdict"], "trouble");
+  EXPECT_TRUE(contains(std::string(json["pictures"][1]["message"]), "found s.ppm and s.png"));
+  EXPECT_EQ(json["pictures"][2]["verdict"], "trouble");
+  EXPECT_TRUE(contains(std::string(json["pictures"][2]["message"]), "found a link"));
+}
+
+TEST_F(JudgeCommand, FaultsThatCannotBeToldApartAreSaidInEveryOutput) {
+  fs::create_directories(workplace_.path("pictures"));
+  // The camera is moved and not turned: whatever loses its place gives that picture.
+  workplace_.file("scenes/s.sdf", replaced(ball_scene, "camera eye 60 0 0 0", "camera eye 60 0.4 0 0"));
+  ASSERT_EQ(run_plumb({"render", "scenes/s.sdf", "--fault", "camera-without-effect", "-o", "pictures/s.ppm"},
+                      workplace_.directory())
+                .exit_code,
+            0);
+  const Outcome told = judge({"--images", "pictures", "--json", "-", "--csv", "a.csv", "--junit", "a.xml"});
+  const Json picture = Json::parse(told.out)["pictures"][0];
+  ASSERT_GT(picture["ambiguous"].size(), 0U) << told.out;
+  const std::string other = picture["ambiguous"][0][1];
+  const std::string text = judge({"--images", "pictures"}).out;
+  for (const std::string& output :
+       {text, read_file(workplace_.path("a.csv")), read_file(workplace_.path("a.xml"))}) {
+    EXPECT_TRUE(contains(output, other)) << output;
+    EXPECT_TRUE(contains(output, "the same picture here)")) << output;
+    EXPECT_TRUE(contains(output, "[confidence 0.")) << output;
+  }
+}
+
 TEST_F(JudgeCommand, TheReportLinksTheLessonOfEachFault) {
   fs::create_directories(workplace_.path("pictures"));
   ASSERT_EQ(run_plumb({"render", "scenes/s.sdf", "--fault", "ka-kd-swapped", "-o", "pictures/s.ppm"},
@@ -257,6 +297,8 @@ TEST_F(JudgeCommand, CommandsThatCannotBeRunAreTrouble) {
   expect_trouble(judge({"--renderer", "/bin/true {scene} {submission}"}), {"--submissions"});
   expect_trouble(judge({"--renderer", "/bin/true 'x"}), {"quote"});
   expect_trouble(judge({"--images", "none"}), {"none"});
+  for (const char* const seed : {"-1", "18446744073709551616", "1x", ""})
+    expect_trouble(judge({"--renderer", "/bin/true {scene}", "--shuffle", seed}), {"--shuffle"});
 }
 
 }  // namespace

@@ -44,7 +44,7 @@ TEST_F(TeachingCommand, ThePageOfTheFaultsHasAPairOfPicturesForEach) {
 }
 
 TEST_F(TeachingCommand, WhatIsAmbiguousIsSettledByTheSceneThatIsNamed) {
-  for (const auto& [scene, fault] : {std::pair{"translate.sdf", "eye-hard-coded"},
+  for (const auto& [scene, fault] : {std::pair{"box.sdf", "inverse-square-falloff"},
                                      {"composite.sdf", "composite-transform-ignored"},
                                      {"phong.sdf", "specular-absolute"}}) {
     const Json open = Json::parse(run({"diagnose", picture(scene, fault), "p.ppm", "--json", "-"}).out);
