@@ -12,6 +12,7 @@
 #include "references/cli/report.hpp"
 #include "references/diagnosis/handed_in.hpp"
 #include "references/diagnosis/json.hpp"
+#include "references/judging/shown_text.hpp"
 #include "references/teaching/tell_apart.hpp"
 #include "tracer/image/io.hpp"
 #include "tracer/scene/reader.hpp"
@@ -199,9 +200,9 @@ int run_diagnose(const Options& options) {
   const View view = view_of(scene, options.common);
   const PixelRows rows = open_image(options.image);
   if (const auto complaint = references::complaint_about_contents(rows))
-    throw std::invalid_argument(options.image + ": " + *complaint);
+    throw std::invalid_argument(options.image + ": " + references::printable(*complaint));
   check_size(options, rows, view.size);
-  const std::string not_looked_at = references::not_looked_at(rows);
+  const std::string not_looked_at = references::printable(references::not_looked_at(rows));
   if (!not_looked_at.empty()) warn(options.image + ": not looked at: " + not_looked_at);
   const ImageFile seen = image_of(rows);
   RenderJob job;
@@ -217,7 +218,8 @@ int run_diagnose(const Options& options) {
   }
   if (!options.json.empty()) write_json(options.json, to_json(options, diagnosis, tell_apart, not_looked_at));
   if (options.report.empty()) return exit_code_of(diagnosis.verdict);
-  write_diagnosis(options.report, {options.image, scene, view.camera, job, seen, diagnosis, tell_apart},
+  write_diagnosis(options.report,
+                  {options.image, scene, view.camera, job, seen, diagnosis, tell_apart, not_looked_at},
                   options.hint);
   if (options.json != "-") std::printf("report: %s/diagnose.html\n", options.report.c_str());
   return exit_code_of(diagnosis.verdict);

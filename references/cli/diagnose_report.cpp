@@ -93,7 +93,9 @@ std::string verdict_of(const Diagnosed& d) {
 }  // namespace
 
 void write_diagnosis(const std::string& directory, const Diagnosed& d, int hint) {
-  std::string html = verdict_of(d) + pictures_of(d);
+  std::string html = verdict_of(d);
+  if (!d.not_looked_at.empty()) html += "<p>Not looked at: " + html_escaped(d.not_looked_at) + ".</p>";
+  html += pictures_of(d);
   if (d.diagnosis.verdict == references::PictureVerdict::faults) {
     for (const references::FoundFault& found : d.diagnosis.faults) html += told(found, hint);
     for (const TellApart& group : d.tell_apart) html += hint == 3 ? settled_by(group) : "";

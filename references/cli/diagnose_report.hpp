@@ -24,6 +24,7 @@ struct Diagnosed {
   const ImageFile& seen;
   const references::Diagnosis& diagnosis;
   const std::vector<TellApart>& tell_apart;
+  const std::string& not_looked_at;  ///< may be empty
 };
 
 /// DIR/diagnose.html: their picture, ours, with the faults, and what remains; each fault as `hint` tells it.

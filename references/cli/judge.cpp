@@ -154,7 +154,7 @@ std::vector<std::string> of_no_scene(const Options& options,
   const std::vector<std::string> all = references::pictures_of_no_scene(options.images, submissions, scenes);
   std::string named;
   for (std::size_t i = 0; i < std::min(most_named, all.size()); ++i)
-    named += (i == 0 ? "" : ", ") + references::shown_text(all[i]);
+    named += (i == 0 ? "" : ", ") + references::printable(all[i]);
   if (all.size() > most_named) named += " and " + std::to_string(all.size() - most_named) + " more";
   if (!all.empty())
     warn(

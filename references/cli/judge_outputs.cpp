@@ -10,6 +10,7 @@
 
 #include "references/cli/options.hpp"
 #include "references/cli/report.hpp"
+#include "references/judging/shown_text.hpp"
 #include "tracer/image/files.hpp"
 
 namespace plumb::cli {
@@ -17,13 +18,7 @@ namespace {
 
 using references::Judged;
 using references::JudgedPicture;
-
-/// Bytes that a terminal would obey become ?.
-std::string printable(std::string text) {
-  std::replace_if(
-      text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < ' ' || c == 127; }, '?');
-  return text;
-}
+using references::printable;
 
 void print(const JudgedPicture& picture, int hint) {
   std::string why = picture.message;

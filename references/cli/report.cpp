@@ -65,8 +65,9 @@ Json flip_json(const references::Flip& flip) {
   return json;
 }
 
-constexpr std::array figures_of_comparison{"max_error",   "judged_error", "mean_error", "rms_error",
-                                           "pixels_over", "non_finite",   "worst"};
+constexpr std::array figures{"max_error",   "judged_error", "mean_error", "rms_error",
+                             "pixels_over", "non_finite",   "worst",      "metrics",
+                             "budget",      "unexamined",   "unverified", "shapes"};
 
 }  // namespace
 
@@ -88,13 +89,13 @@ Json scene_json(const SceneResult& r) {
             {"height", r.height}};
   json.update(plumb::cli::to_json(r.comparison));
   const bool has_figures = r.status != Status::error && r.not_compared.empty();
-  for (const char* const key : figures_of_comparison)
-    if (!has_figures) json[key] = nullptr;  // 0 would say that nothing differs
   json["metrics"] = plumb::cli::to_json(r.metrics);
   json["budget"] = plumb::cli::to_json(r.budget);
   json["unexamined"] = r.budget.unexamined;
   json["unverified"] = r.budget.unverified();
   json["shapes"] = r.budget.shapes;
+  for (const char* const key : figures)
+    if (!has_figures) json[key] = nullptr;  // 0 would say that nothing differs
   for (const references::TermResult& t : r.terms) json["terms"][references::to_string(t.term)] = to_json(t);
   if (r.judgement) json["judgement"] = plumb::cli::to_json(*r.judgement);
   json["seconds"] = {{"ours", r.seconds_ours}, {"reference", r.seconds_reference}};

@@ -59,8 +59,8 @@ Json to_json(const Diagnosis& diagnosis, int hint) {
   json["encoding"] = {{"tone_map", diagnosis.encoding.tone_map},
                       {"gamma", diagnosis.encoding.gamma()},
                       {"rounding", rounding_json(diagnosis.encoding)},
-                      {"levels", levels_json(diagnosis.encoding)},
-                      {"flipped", diagnosis.is_flipped}};
+                      {"levels", levels_json(diagnosis.encoding)}};
+  if (hint >= 2) json["encoding"]["flipped"] = diagnosis.is_flipped;  // which names a mistake
   json["remaining"] = {{"rms", diagnosis.rms}, {"pixels_over_2_255", diagnosis.pixels_over}};
   return json;
 }

@@ -22,14 +22,23 @@ bool are_whole(const Values& values) {
                      [](float v) { return std::abs(v - std::round(v)) < 1e-3F; });
 }
 
-/// How coarse levels are spread over those of 8 bits: by rounding, by truncation, or as the upper bits.
-enum class Spreading { exact, rounded, truncated, upper_bits };
+/// How coarse levels are spread over those of 8 bits: by rounding, by truncation, as the upper bits, or as
+/// these repeated below themselves, so that white stays white.
+enum class Spreading { exact, rounded, truncated, upper_bits, repeated_bits };
+constexpr std::array all_spreadings{Spreading::exact, Spreading::rounded, Spreading::truncated,
+                                    Spreading::upper_bits, Spreading::repeated_bits};
+
+bool are_bits(Spreading spreading) {
+  return spreading == Spreading::upper_bits || spreading == Spreading::repeated_bits;
+}
 
 float value_of(int step, int count, Spreading spreading) {
   const float exact = most * static_cast<float>(step) / static_cast<float>(count - 1);
   if (spreading == Spreading::rounded) return std::floor(exact + 0.5F);
   if (spreading == Spreading::truncated) return std::floor(exact);
-  return spreading == Spreading::exact ? exact : static_cast<float>(step * (all_levels / count));
+  if (spreading == Spreading::exact) return exact;
+  const int upper = step * (all_levels / count);
+  return static_cast<float>(spreading == Spreading::upper_bits ? upper : upper + upper / count);
 }
 
 /// The step that a value stands for, if it stands for one.
@@ -52,10 +61,10 @@ bool holds_all(const Values& values, int count, Spreading spreading) {
 }
 
 /// How likely it is that values that have nothing to do with these levels lie on them. Those of another count
-/// than 8 bits have lie on them to 0.01 of 255; whole ones may lie on any of 256, spread in three ways.
+/// than 8 bits have lie on them to 0.01 of 255; whole ones may lie on any of 256, spread in four ways.
 double by_chance(int count, bool is_whole, double values) {
   const double covered = is_whole ? count / 256.0 : 0.02 * count / most;
-  return 3 * all_levels * std::pow(covered, values);
+  return 4 * all_levels * std::pow(covered, values);
 }
 
 /// The fewest levels that hold all values, unless chance does it, too, with so few different ones.
@@ -65,10 +74,9 @@ std::optional<Coarse> coarse_levels(const Values& values) {
                      static_cast<double>(values.count(most));
   for (int count = fewest_levels; count < all_levels; ++count) {
     if (by_chance(count, is_whole, inner) > 1e-6) return std::nullopt;  // as it is for more levels
-    for (const Spreading spreading :
-         {Spreading::exact, Spreading::rounded, Spreading::truncated, Spreading::upper_bits}) {
+    for (const Spreading spreading : all_spreadings) {
       if ((spreading == Spreading::exact) == is_whole) continue;
-      if (spreading == Spreading::upper_bits && all_levels % count != 0) continue;
+      if (are_bits(spreading) && all_levels % count != 0) continue;
       if (holds_all(values, count, spreading)) return Coarse{count, spreading};
     }
   }
@@ -95,7 +103,7 @@ void put_on_coarse_levels(SeenLevels& seen) {
   for (std::size_t i = 0; i < seen.values.size(); ++i) {
     const Coarse& of = coarse.at(i % channels);
     seen.read.levels.at(i % channels) = of.count;
-    seen.read.has_upper_bits |= of.spreading == Spreading::upper_bits;
+    seen.read.has_upper_bits.at(i % channels) = are_bits(of.spreading);
     if (of.count == all_levels) continue;
     const int step = step_of(seen.values[i], of.count, of.spreading).value_or(0);
     seen.values[i] = value_of(step, of.count, Spreading::exact);

@@ -14,6 +14,20 @@ constexpr float lost_by_encoding = 1e-6F;
 /// because 255.99 is as common a factor as 256
 constexpr float lost_by_factor = 0.011F;
 
+float reduced_to_8_bits(float level, Reduced reduced) {
+  switch (reduced) {
+    case Reduced::truncated:
+      return std::floor(level);
+    case Reduced::rounded:
+      return std::floor(level + 0.5F);
+    case Reduced::equal_parts:
+      return std::min(most, std::floor(level * ((most + 1) / most)));
+    case Reduced::no:
+      break;
+  }
+  return level;
+}
+
 float curved(float c, Curve curve) {
   if (curve == Curve::linear || !(c > 0)) return c;
   if (curve == Curve::gamma) return std::pow(c, 1 / 2.2F);
@@ -30,9 +44,10 @@ float OutputEncoding::rounded(float level, std::size_t channel) const {
   if (is_float) return level;
   if (std::isnan(level)) return 0;
   const auto steps = static_cast<float>(levels.at(channel) - 1);
-  if (reduced != Reduced::no) level = std::floor(reduced == Reduced::rounded ? level + 0.5F : level);
-  const float scaled = level * ((has_equal_parts ? steps + 1 : steps) / most);
-  const float step = std::clamp(std::floor(rounds ? scaled + 0.5F : scaled), 0.0F, steps);
+  level = reduced_to_8_bits(level, reduced);
+  const bool is_upper = has_upper_bits.at(channel);
+  const float scaled = level * ((has_equal_parts || is_upper ? steps + 1 : steps) / most);
+  const float step = std::clamp(std::floor(rounds && !is_upper ? scaled + 0.5F : scaled), 0.0F, steps);
   return most * step / steps;
 }
 
@@ -42,7 +57,8 @@ float OutputEncoding::slack(float level, const float* seen, std::size_t channel)
     const float held = shares_exponent ? *std::max_element(seen, seen + 3) : std::abs(seen[channel]);
     return lost_by_curve + lost * held;
   }
-  return lost_by_curve + (has_equal_parts ? lost_by_factor : 0);
+  const bool is_in_parts = has_equal_parts || has_upper_bits.at(channel) || reduced == Reduced::equal_parts;
+  return lost_by_curve + (is_in_parts ? lost_by_factor : 0);
 }
 
 std::string OutputEncoding::depth_in_words() const {
@@ -54,8 +70,8 @@ std::string OutputEncoding::depth_in_words() const {
   if (levels[1] != levels[0] || levels[2] != levels[0])
     text += ", " + std::to_string(levels[1]) + " and " + std::to_string(levels[2]);
   if (reduced == Reduced::no) return how + text + " levels";
-  return std::string(reduced == Reduced::rounded ? "rounded" : "truncated") + " to 8 bits, then " + how +
-         text + " levels";
+  return std::string(reduced == Reduced::rounded ? "rounded" : "truncated") + " to 8 bits" +
+         (reduced == Reduced::equal_parts ? " as 256 equal parts" : "") + ", then " + how + text + " levels";
 }
 
 std::string OutputEncoding::in_words() const {
@@ -69,12 +85,11 @@ std::vector<OutputEncoding> encodings_of(const OutputEncoding& read) {
   for (const Curve curve : {Curve::linear, Curve::gamma, Curve::srgb}) {
     for (const bool tone_map : {true, false}) {
       for (const bool rounds : {false, true}) {
-        if (rounds && (read.is_float || read.has_upper_bits)) continue;
+        if (rounds && (read.is_float || read.has_upper_bits == std::array{true, true, true})) continue;
         OutputEncoding& one = all.emplace_back(read);
         one.tone_map = tone_map;
         one.curve = curve;
         one.rounds = rounds;
-        one.has_equal_parts = read.has_upper_bits;
       }
     }
   }

@@ -12,7 +12,7 @@ namespace plumb::references {
 enum class Curve { linear, gamma, srgb };
 
 /// How a picture of fewer levels was made of one of 8 bits, if it was.
-enum class Reduced { no, truncated, rounded };
+enum class Reduced { no, truncated, rounded, equal_parts };
 
 /// From linear colours to the levels 0 to 255 of a file.
 struct OutputEncoding {
@@ -21,7 +21,7 @@ struct OutputEncoding {
   bool rounds = false;           ///< to the nearest level; the course's framework truncates
   bool is_float = false;         ///< neither rounded nor clamped, in units of 1/255
   bool has_equal_parts = false;  ///< truncated after a product with the number of levels, not with one less
-  bool has_upper_bits = false;   ///< a level of fewer is the upper bits of a byte: equal parts, too
+  std::array<bool, 3> has_upper_bits{};  ///< a level of fewer is the upper bits of a byte: equal parts, too
   Reduced reduced = Reduced::no;
   std::array<int, 3> levels{256, 256, 256};  ///< of red, green and blue in the file; 2 to 65536
   /// Of a picture of floats, the share of a value (or of the largest of a pixel, where all share one

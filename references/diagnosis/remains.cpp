@@ -81,7 +81,7 @@ std::vector<OutputEncoding> all_encodings(const Evidence& evidence) {
   const auto& levels = all.front().levels;
   if (all.front().is_float || *std::min_element(levels.begin(), levels.end()) >= 256) return all;
   for (std::size_t i = 0, direct = all.size(); i < direct; ++i) {
-    for (const Reduced reduced : {Reduced::truncated, Reduced::rounded}) {
+    for (const Reduced reduced : {Reduced::truncated, Reduced::rounded, Reduced::equal_parts}) {
       all.push_back(all[i]);
       all.back().reduced = reduced;
     }

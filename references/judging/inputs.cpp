@@ -24,9 +24,8 @@ std::vector<fs::path> entries_of(const std::string& directory) {
 }
 
 bool is_picture_name(const fs::path& path) {
-  const std::string extension = extension_of(path.string());
-  return std::find(picture_extensions.begin(), picture_extensions.end(), extension) !=
-         picture_extensions.end();
+  const std::vector<std::string> all = picture_extensions();
+  return std::find(all.begin(), all.end(), extension_of(path.string())) != all.end();
 }
 
 /// A link that is handed in is not followed: it may lead to what is not the submission's. It is told when it
@@ -60,20 +59,27 @@ std::vector<Submission> submissions_in(const std::string& directory) {
 
 std::vector<Submission> pictures_in(const std::string& directory) {
   std::vector<Submission> all;
-  for (const fs::path& path : entries_of(directory))
-    if (fs::is_directory(path)) all.push_back(submission_at(path));
-  if (all.empty()) {
-    const fs::path self = fs::canonical(directory);
-    all.push_back({shown_name(self.filename().string()), self.string()});
+  bool has_directories = false, has_pictures = false;
+  for (const fs::path& path : entries_of(directory)) {
+    std::error_code none;
+    const bool is_link = fs::is_symlink(path, none);
+    has_pictures |= is_picture_name(path) && !fs::is_directory(path, none);
+    if (!fs::is_directory(path, none)) continue;
+    has_directories |= !is_link;
+    all.push_back(submission_at(path));
   }
-  return all;
+  if (has_directories || (!all.empty() && !has_pictures)) return all;
+  const fs::path self = fs::canonical(directory);
+  return {{shown_name(self.filename().string()), self.string()}};
 }
 
 std::vector<std::string> pictures_of_no_scene(const std::string& directory,
                                               const std::vector<Submission>& submissions,
                                               const std::vector<JudgedScene>& scenes) {
   std::set<std::string> names;
-  for (const JudgedScene& scene : scenes) names.insert(scene.name);
+  for (const JudgedScene& scene : scenes) {
+    for (const std::string& extension : picture_extensions()) names.insert(scene.name + extension);
+  }
   const fs::path top = fs::canonical(directory);
   std::vector<std::string> found;
   const auto look = [&](const fs::path& place, bool is_submission) {
@@ -83,8 +89,8 @@ std::vector<std::string> pictures_of_no_scene(const std::string& directory,
       const fs::path& path = at->path();
       std::error_code none;
       if (!is_picture_name(path) || fs::is_directory(path, none)) continue;
-      if (!is_submission || !names.contains(path.stem().string()))
-        found.push_back(path.lexically_relative(top).string());
+      if (!is_submission || !names.contains(path.filename().string()))
+        found.push_back(shown_name(path.lexically_relative(top).string()));
     }
   };
   bool has_directories = true;

@@ -96,7 +96,7 @@ std::vector<Submission> submissions_in(const std::string& directory);
 std::vector<Submission> pictures_in(const std::string& directory);
 
 /// The files with a picture's name, below a directory of pictures, that are of no scene: relative to it, by
-/// name.
+/// name, as shown_name() has them.
 std::vector<std::string> pictures_of_no_scene(const std::string& directory,
                                               const std::vector<Submission>& submissions,
                                               const std::vector<JudgedScene>& scenes);

@@ -108,7 +108,9 @@ std::string overview_junit(const std::vector<JudgedPicture>& all, HintLevel hint
     JunitCase one;
     one.name = picture.submission + "/" + picture.scene;
     one.seconds = picture.wall_seconds;
-    if (picture.verdict != Judged::right) {
+    if (picture.verdict == Judged::right) {
+      one.output = picture.message;
+    } else {
       const bool says_nothing = picture.verdict == Judged::trouble || picture.verdict == Judged::not_judged;
       one.outcome = says_nothing ? JunitCase::Outcome::error : JunitCase::Outcome::failed;
       const std::string faults = fault_list(picture, hint);

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <array>
+#include <cstdio>
 #include <filesystem>
 #include <map>
 #include <set>
@@ -41,13 +43,19 @@ std::string fault_text(const FoundFault& found, HintLevel hint) {
   const Fault& fault = *found.fault;
   std::string text = "<dl>\n" + definition("slide", fault.slide);
   if (hint >= 2) text += definition("mistake", fault.explanation);
+  if (hint < 3 && !found.alike.empty())
+    text +=
+        definition("or", "one of " + std::to_string(found.alike.size()) + " others: the same picture here");
   if (hint >= 3) {
     text += definition("found", fault.wrong) + definition("right", fault.right);
     text += "<dt>lesson</dt><dd>" + lesson_link(fault) + "</dd>\n";
     for (const Fault* other : found.alike)
       text += "<dt>or</dt><dd>" + lesson_link(*other) + ": the same picture here</dd>\n";
   }
-  return text + definition("pixels", std::to_string(found.pixels)) + "</dl>\n";
+  std::array<char, 16> confidence{};
+  std::snprintf(confidence.data(), confidence.size(), "%.2f", found.confidence);
+  return text + definition("pixels", std::to_string(found.pixels)) +
+         definition("confidence", confidence.data()) + "</dl>\n";
 }
 
 std::string tag(Judged verdict) {
@@ -118,6 +126,13 @@ std::string shuffle_text(const RunFacts& facts) {
 
 std::string limits_text(const RunFacts& facts) {
   return facts.not_enforced.empty() ? "" : "<p>Limits: " + html_escaped(facts.not_enforced) + ".</p>\n";
+}
+
+std::string not_judged_text(const RunFacts& facts) {
+  if (facts.of_no_scene.empty()) return {};
+  std::string text = "<p>Pictures that are not judged, for they are of no scene or lie beside submissions:";
+  for (const std::string& name : facts.of_no_scene) text += " " + html_escaped(name);
+  return text + "</p>\n";
 }
 
 /// All faults of which a page names one, in the catalogue's order.
@@ -209,10 +224,10 @@ void write_overview(const std::string& directory, const std::vector<JudgedPictur
   const std::vector<Row> rows = rows_of(all);
   for (const Row& row : rows) write_file(folder / row.file, page_of(row, hint, facts));
   write_lessons(folder / lessons_page, all, hint);
-  write_file(
-      folder / "index.html",
-      teaching::page("Tracers judged by plumb",
-                     summary(all) + shuffle_text(facts) + limits_text(facts) + table_of(rows, hint), style));
+  write_file(folder / "index.html", teaching::page("Tracers judged by plumb",
+                                                   summary(all) + shuffle_text(facts) + limits_text(facts) +
+                                                       not_judged_text(facts) + table_of(rows, hint),
+                                                   style));
 }
 
 }  // namespace plumb::references

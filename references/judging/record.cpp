@@ -53,7 +53,7 @@ OutputEncoding encoding_of(const Json& json) {
   encoding.rounds = json.at("rounds");
   encoding.is_float = json.at("is_float");
   encoding.has_equal_parts = json.at("has_equal_parts");
-  encoding.has_upper_bits = json.at("has_upper_bits");
+  encoding.has_upper_bits = json.at("has_upper_bits").get<std::array<bool, 3>>();
   encoding.reduced = static_cast<Reduced>(json.at("reduced").get<int>());
   encoding.levels = json.at("levels").get<std::array<int, 3>>();
   encoding.lost = json.at("lost");

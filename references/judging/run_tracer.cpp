@@ -1,6 +1,7 @@
 #include "references/judging/run_tracer.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cstdlib>
 #include <filesystem>
 #include <stdexcept>
@@ -73,6 +74,16 @@ Judged verdict_of(Ending ending) {
   return Judged::no_image;
 }
 
+/// For a message: the last line that was printed, shortened; empty when nothing was.
+std::string last_words(const std::string& printed) {
+  constexpr std::size_t longest = 120;
+  const std::size_t end = printed.find_last_not_of(" \t\r\n");
+  if (end == std::string::npos) return {};
+  const std::size_t before = printed.find_last_of('\n', end);
+  const std::size_t begin = before == std::string::npos ? 0 : before + 1;
+  return "; its last words: " + printed.substr(begin, std::min(longest, end + 1 - begin));
+}
+
 /// True when the run itself is the verdict.
 bool ended_badly(const SandboxRun& run, JudgedPicture& result) {
   result.printed = run.printed;
@@ -90,19 +101,9 @@ bool ended_badly(const SandboxRun& run, JudgedPicture& result) {
                      ": is it there, executable, and the interpreter of its first line, too?";
   } else if (run.signal != 0) {
     result.verdict = Judged::crashed;
-    result.message = "ended by signal " + std::to_string(run.signal);
+    result.message = "ended by signal " + std::to_string(run.signal) + last_words(run.printed);
   }
   return !result.message.empty();
-}
-
-/// Of what was printed, shortened.
-std::string last_line(const std::string& printed) {
-  constexpr std::size_t longest = 120;
-  const std::size_t end = printed.find_last_not_of(" \t\r\n");
-  if (end == std::string::npos) return {};
-  const std::size_t before = printed.find_last_of('\n', end);
-  const std::size_t begin = before == std::string::npos ? 0 : before + 1;
-  return printed.substr(begin, std::min(longest, end + 1 - begin));
 }
 
 /// `what_else` is said where there is nothing at all.
@@ -124,8 +125,7 @@ void say_why_none(Found found, int exit_code, const std::string& what_else, Judg
       result.message +=
           "; a shell says 127 for a program that is not there: what lies outside the system's "
           "directories is seen with --readable alone";
-    if (const std::string line = last_line(result.printed); !line.empty())
-      result.message += "; its last words: " + line;
+    result.message += last_words(result.printed);
   }
 }
 
@@ -172,13 +172,24 @@ std::string picture_of_run(const Submission& submission, const JudgedScene& scen
   return {};
 }
 
+std::vector<std::string> picture_extensions() {
+  std::vector<std::string> all{".ppm", ".png",  ".pfm", ".exr", ".tif", ".tiff",
+                               ".jpg", ".jpeg", ".bmp", ".tga", ".hdr"};
+  for (std::size_t i = 0, lower = all.size(); i < lower; ++i) {
+    std::string upper = all[i];
+    for (char& c : upper) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    all.push_back(upper);
+  }
+  return all;
+}
+
 std::string picture_handed_in(const Submission& submission, const JudgedScene& scene,
                               const JudgeOptions& options, const std::string& own_directory,
                               JudgedPicture& result) {
   Found found = Found::nothing;
   std::string name, taken;
-  for (const std::string_view extension : picture_extensions) {
-    const std::string other = scene.name + std::string(extension), target = target_in(own_directory, other);
+  for (const std::string& extension : picture_extensions()) {
+    const std::string other = scene.name + extension, target = target_in(own_directory, other);
     const Found now = take_file(submission.path, other, options.limits.disk_bytes, target);
     if (now == Found::nothing) continue;
     if (found != Found::nothing)

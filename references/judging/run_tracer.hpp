@@ -1,17 +1,15 @@
 // One run of somebody's tracer on one scene.
 #pragma once
 
-#include <array>
 #include <string>
-#include <string_view>
+#include <vector>
 
 #include "references/judging/judging.hpp"
 
 namespace plumb::references {
 
-/// By which a picture that is handed in is known.
-constexpr std::array<std::string_view, 11> picture_extensions{
-    ".ppm", ".png", ".pfm", ".exr", ".tif", ".tiff", ".jpg", ".jpeg", ".bmp", ".tga", ".hdr"};
+/// By which a picture that is handed in is known, in lower case and in upper case.
+std::vector<std::string> picture_extensions();
 
 /// Throws std::runtime_error when nothing can be confined as the runs of this submission are.
 void require_confined_runs(const Submission& submission, const JudgeOptions& options);

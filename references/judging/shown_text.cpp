@@ -1,5 +1,6 @@
 #include "references/judging/shown_text.hpp"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace plumb::references {
@@ -24,6 +25,12 @@ std::string shown_name(const std::string& bytes) {
     else
       text += {'\\', 'x', digits[byte >> 4], digits[byte & 15]};
   }
+  return text;
+}
+
+std::string printable(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < ' ' || c == 127; }, '?');
   return text;
 }
 

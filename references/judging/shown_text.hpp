@@ -11,4 +11,7 @@ std::string shown_name(const std::string& bytes);
 /// What is no UTF-8 becomes U+FFFD.
 std::string shown_text(const std::string& bytes);
 
+/// Bytes that a terminal would obey become ?.
+std::string printable(std::string text);
+
 }  // namespace plumb::references

@@ -224,6 +224,7 @@ TEST_F(JudgeCommand, WhatIsNotJudgedOfAClassIsSaid) {
        {"in/ada/s.ppm", "in/ben/s.ppm", "in/ben/s.png", "in/ada/other.ppm", "in/s.ppm"})
     ASSERT_EQ(run_plumb({"render", "scenes/s.sdf", "-o", to}, workplace_.directory()).exit_code, 0);
   fs::create_directory_symlink("ada", workplace_.path("in/cy"));
+  fs::create_symlink("loop", workplace_.path("in/loop"));
   const Outcome outcome = judge({"--images", "in", "--json", "-"});
   EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
   const Json json = Json::parse(outcome.out);

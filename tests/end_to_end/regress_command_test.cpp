@@ -98,7 +98,7 @@ TEST_F(Regress, ANewSceneDiffersUntilItIsApproved) {
   EXPECT_TRUE(contains(outcome.out, "new: there is no baseline yet")) << outcome.out;
   EXPECT_TRUE(contains(outcome.out, "approve with: ")) << outcome.out;
   EXPECT_EQ(files(), (std::vector<std::string>{"scenes", "scenes/ball.sdf"})) << "a look stores nothing";
-  for (const char* const figure : {"max_error", "pixels_over", "worst"})
+  for (const char* const figure : {"max_error", "pixels_over", "worst", "metrics", "budget", "unverified"})
     EXPECT_TRUE(scene_json({}).at(figure).is_null()) << figure << ": nothing was compared";
 }
 

@@ -177,6 +177,16 @@ TEST(Diagnose, AnEmptierPictureIsNotTakenForAFaultThatEmptiesIt) {
   EXPECT_NE(found.verdict, PictureVerdict::right);
 }
 
+TEST(Diagnose, APictureOfOneColourNamesNothingWhateverItsAlpha) {
+  const Scene scene = scene_of("ambient.sdf");
+  ImageFile black{60, 40, 4, Sample::bits8, {}, {}};
+  black.values.resize(std::size_t{4} * 60 * 40);
+  for (std::size_t i = 3; i < black.values.size(); i += 8) black.values[i] = 1;
+  const Diagnosis found = diagnose(scene, scene.cameras.front(), small_job(), black);
+  EXPECT_TRUE(found.faults.empty());
+  EXPECT_NE(summary_of(found).find("one colour"), std::string::npos) << summary_of(found);
+}
+
 TEST(Diagnose, RedAndBlueExchangedIsAFault) {
   const Diagnosis found = diagnosis_of("combined-still-life.sdf", {"red-blue-exchanged"});
   EXPECT_EQ(found.verdict, PictureVerdict::faults);

@@ -1,4 +1,5 @@
 // Which pictures are right, and that those that are nearly right are not.
+#include <array>
 #include <cmath>
 #include <functional>
 #include <random>
@@ -192,6 +193,30 @@ TEST(RightPicture, MayHaveFewerLevels) {
       EXPECT_EQ(found.verdict, PictureVerdict::right) << steps << ": " << summary_of(found);
       EXPECT_EQ(found.encoding.levels[0], steps + 1);
     }
+  }
+}
+
+TEST(RightPicture, MayBeReducedFromEightBits) {
+  const Subject subject = scene_of(text_of("phong.sdf"));
+  const Image image = rendered(subject);
+  const std::array<std::function<int(float)>, 3> to_8_bits{
+      [](float c) { return static_cast<int>(255 * tone(c)); },
+      [](float c) { return static_cast<int>(std::lround(255 * tone(c))); },
+      [](float c) { return std::min(255, static_cast<int>(256 * tone(c))); }};
+  for (const auto& byte : to_8_bits) {
+    for (const int steps : {31, 63}) {
+      const Format rounded_again{
+          "", Sample::bits8, [&](float c) {
+            const auto step = std::lround(byte(c) * steps / 255.0);
+            return static_cast<float>(std::lround(static_cast<double>(step) * 255.0 / steps)) / 255;
+          }};
+      EXPECT_EQ(diagnosed(subject, written(image, rounded_again)).verdict, PictureVerdict::right) << steps;
+    }
+    const Format repeated_bits{"", Sample::bits8, [&](float c) {
+                                 const int bits = byte(c) >> 3;
+                                 return static_cast<float>(bits << 3 | bits >> 2) / 255;
+                               }};
+    EXPECT_EQ(diagnosed(subject, written(image, repeated_bits)).verdict, PictureVerdict::right);
   }
 }
 
