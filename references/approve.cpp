@@ -156,6 +156,8 @@ Approved approve_one(const std::string& path, const std::string& name, const App
 std::vector<Approved> approve(const std::string& directory, const RegressOptions& options,
                               const ApprovalRequest& request) {
   const std::vector<std::string> scenes = scene_names(directory);
+  if (scenes.empty() && request.all_new)
+    throw std::runtime_error(directory + ": found no scene in it, expected at least one *.sdf");
   expect_clear_variant(directory, options.variant, scenes);
   const ApprovedImages approved(directory, options.variant);
   BaselineUpdate update(baselines_of(directory, options.variant), directory);

@@ -61,7 +61,11 @@ void add_directory(Side& side, const std::vector<std::string>& left_out) {
   for (auto at = fs::recursive_directory_iterator(side.directory); at != fs::end(at); ++at) {
     const fs::path path = at->path();
     const bool is_hidden = path.filename().native().front() == '.';
-    if (at->is_directory()) {
+    std::error_code unreadable;
+    const bool is_directory = at->is_directory(unreadable);
+    if (unreadable) {
+      side.others.push_back(path.string());
+    } else if (is_directory) {
       if (is_hidden) at.disable_recursion_pending();
       if (!is_hidden && at->is_symlink()) side.others.push_back(path.string());
     } else if (is_hidden) {

@@ -56,7 +56,7 @@ CLI::Option* add_confined(CLI::App& app, ConfinedOptions& options) {
       ->check(CLI::Range(16, 1 << 20))
       ->capture_default_str()
       ->needs(renderer);
-  app.add_option("--disk", options.disk_mib, "MiB of the files that it writes")
+  app.add_option("--disk", options.disk_mib, "MiB of the files that it writes, and as many of what it prints")
       ->check(CLI::Range(1, 1 << 20))
       ->capture_default_str()
       ->needs(renderer);

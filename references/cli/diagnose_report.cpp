@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "references/report/escape.hpp"
+#include "references/report/own_page.hpp"
 #include "references/teaching/pages.hpp"
 #include "tracer/image/files.hpp"
 
@@ -101,6 +102,7 @@ void write_diagnosis(const std::string& directory, const Diagnosed& d, int hint)
     for (const TellApart& group : d.tell_apart) html += hint == 3 ? settled_by(group) : "";
   }
   std::filesystem::create_directories(directory);
+  references::refuse_to_replace_others(directory + "/diagnose.html");
   write_file(directory + "/diagnose.html", teaching::page("What is wrong with " + d.image, html));
 }
 

@@ -8,6 +8,7 @@
 #include "references/cli/progress.hpp"
 #include "references/cli/report.hpp"
 #include "references/faults/fault.hpp"
+#include "references/report/own_page.hpp"
 #include "references/teaching/document.hpp"
 #include "references/teaching/pages.hpp"
 #include "tracer/image/files.hpp"
@@ -50,6 +51,7 @@ void write_pages(const std::string& directory) {
   const std::string page = teaching::faults_page(PLUMB_SOURCE_DIRECTORY "/tests/scenes",
                                                  [&](double fraction) { progress.show(fraction); });
   std::filesystem::create_directories(directory);
+  references::refuse_to_replace_others(directory + "/index.html");
   write_file(directory + "/index.html", page);
 }
 

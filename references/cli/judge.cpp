@@ -102,6 +102,17 @@ std::vector<references::Submission> without_command(std::vector<references::Subm
     return std::any_of(judge.command.begin(), judge.command.end(),
                        [&](const std::string& word) { return fs::equivalent(word, submission.path, none); });
   });
+  const bool are_directories = std::any_of(judge.command.begin(), judge.command.end(), [](const auto& word) {
+    return word.find("{submission}/") != std::string::npos;
+  });
+  std::erase_if(all, [&](const references::Submission& submission) {
+    std::error_code none;
+    const bool is_file = are_directories && fs::is_regular_file(fs::symlink_status(submission.path, none));
+    if (is_file)
+      warn("--submissions: not judged, for it is a file, and --renderer looks into directories: " +
+           references::printable(submission.name));
+    return is_file;
+  });
   if (all.empty())
     throw std::invalid_argument(
         "--submissions: found nothing but what --renderer names, expected submissions");
@@ -244,7 +255,7 @@ void add_limits(CLI::App& app, Options& options) {
   app.add_option("--memory", options.memory_mib, "MiB of all its processes")
       ->check(CLI::Range(16, 1 << 20))
       ->capture_default_str();
-  app.add_option("--disk", options.disk_mib, "MiB of the files that it writes")
+  app.add_option("--disk", options.disk_mib, "MiB of the files that it writes, and as many of what it prints")
       ->check(CLI::Range(1, 1 << 20))
       ->capture_default_str();
   app.add_option("--processes", options.processes, "processes at once")

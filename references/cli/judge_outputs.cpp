@@ -11,6 +11,7 @@
 #include "references/cli/options.hpp"
 #include "references/cli/report.hpp"
 #include "references/judging/shown_text.hpp"
+#include "references/report/own_page.hpp"
 #include "tracer/image/files.hpp"
 
 namespace plumb::cli {
@@ -108,6 +109,8 @@ void add_judge_outputs(CLI::App& app, JudgeOutputs& outputs) {
 
 void check(const JudgeOutputs& outputs) {
   const std::array files{outputs.json, outputs.csv, outputs.junit};
+  if (!outputs.report.empty())  // before hours of judging
+    references::refuse_to_replace_others((std::filesystem::path(outputs.report) / "index.html").string());
   if (std::count(files.begin(), files.end(), "-") > 1)
     throw std::invalid_argument("--json, --csv, --junit: found - more than once, expected a FILE");
 }

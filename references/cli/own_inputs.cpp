@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+#include "references/judging/command_line.hpp"
 
 namespace plumb::cli {
 namespace {
@@ -35,9 +38,61 @@ bool is_input_by_name(const fs::path& path) {
                               ", which is an input, expected the name of another file");
 }
 
+/// As a path that tells whether two names are of one file, which need not be there yet.
+fs::path place_of(const std::string& file) {
+  std::error_code none;
+  fs::path place = fs::weakly_canonical(fs::absolute(file, none), none);
+  return place.empty() ? fs::path(file).lexically_normal() : place;
+}
+
+bool is_no_place(const std::string& file) {
+  std::error_code none;
+  return file.empty() || file == "-" || fs::is_other(file, none);
+}
+
+void refuse_one_file_twice(const CLI::App& command) {
+  std::map<fs::path, std::string> taken;
+  fs::path report;
+  for (const CLI::Option* const option : command.get_options()) {
+    const std::string name = option->get_name();
+    if (name == "--report" && !option->results().empty()) report = place_of(option->results().front());
+    if (!is_output(name) && name != "--resume") continue;
+    for (const std::string& file : option->results()) {
+      if (is_no_place(file)) continue;
+      const auto [at, is_new] = taken.emplace(place_of(file), name);
+      if (!is_new)
+        throw std::invalid_argument(name + ": found " + file + ", which " + at->second +
+                                    " names, too, expected the name of another file");
+    }
+  }
+  for (const auto& [place, name] : taken) {
+    const std::string kind = place.extension().string();
+    const bool is_reports = name == "--resume" ? kind == ".html" : kind == ".html" || kind == ".jsonl";
+    if (!report.empty() && place.parent_path() == report && is_reports)
+      throw std::invalid_argument(name + ": found " + place.string() +
+                                  ", as --report may name its own files, expected another name or place");
+  }
+}
+
+/// What a command runs: a word of --renderer, or anything below --submissions.
+bool is_run(const CLI::Option& option, const std::string& file) {
+  std::error_code none;
+  for (const std::string& value : option.results()) {
+    if (option.get_name() == "--submissions") {
+      const fs::path below = place_of(file).lexically_relative(place_of(value));
+      if (!below.empty() && *below.begin() != "..") return true;
+    }
+    if (option.get_name() != "--renderer") continue;
+    for (const std::string& word : references::split_command(value))
+      if (fs::equivalent(word, file, none)) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 void refuse_to_overwrite_inputs(const CLI::App& command) {
+  refuse_one_file_twice(command);
   for (const CLI::Option* const output : command.get_options()) {
     const std::string name = output->get_name();
     if (!is_output(name)) continue;
@@ -47,6 +102,7 @@ void refuse_to_overwrite_inputs(const CLI::App& command) {
       if (holds_results(name) && is_input_by_name(file)) refuse(name, file);
       for (const CLI::Option* const other : command.get_options()) {
         if (is_output(other->get_name())) continue;
+        if (is_run(*other, file)) refuse(name, file);
         for (const std::string& input : other->results())
           if (fs::equivalent(input, file, none)) refuse(name, file);
       }

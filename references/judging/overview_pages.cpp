@@ -7,6 +7,7 @@
 
 #include "references/judging/overview.hpp"
 #include "references/report/escape.hpp"
+#include "references/report/own_page.hpp"
 #include "references/teaching/pages.hpp"
 #include "tracer/image/files.hpp"
 
@@ -222,6 +223,9 @@ void write_overview(const std::string& directory, const std::vector<JudgedPictur
   const std::filesystem::path folder(directory);
   std::filesystem::create_directories(folder);
   const std::vector<Row> rows = rows_of(all);
+  refuse_to_replace_others((folder / "index.html").string());
+  refuse_to_replace_others((folder / lessons_page).string());
+  for (const Row& row : rows) refuse_to_replace_others((folder / row.file).string());
   for (const Row& row : rows) write_file(folder / row.file, page_of(row, hint, facts));
   write_lessons(folder / lessons_page, all, hint);
   write_file(folder / "index.html", teaching::page("Tracers judged by plumb",

@@ -20,8 +20,7 @@ std::string joined(const std::vector<std::string>& texts) {
 std::string of_limits(const SandboxLimits& limits) {
   return joined({to_text(limits.wall_seconds), to_text(limits.cpu_seconds),
                  std::to_string(limits.memory_bytes), std::to_string(limits.processes),
-                 std::to_string(limits.disk_bytes), std::to_string(limits.files),
-                 std::to_string(limits.printed_bytes)});
+                 std::to_string(limits.disk_bytes), std::to_string(limits.files)});
 }
 
 std::string of_this_program() {

@@ -74,6 +74,24 @@ Judged verdict_of(Ending ending) {
   return Judged::no_image;
 }
 
+const char* what_raises(Ending ending) {
+  switch (ending) {
+    case Ending::timed_out:
+      return " (--timeout raises it)";
+    case Ending::too_much_cpu:
+      return " (--cpu raises it)";
+    case Ending::too_much_memory:
+      return " (--memory raises it)";
+    case Ending::too_many_processes:
+      return " (--processes raises it)";
+    case Ending::too_much_output:
+      return " of what it writes, of what it prints, or of files (--disk raises the first two)";
+    case Ending::finished:
+      break;
+  }
+  return "";
+}
+
 /// For a message: the last line that was printed, shortened; empty when nothing was.
 std::string last_words(const std::string& printed) {
   constexpr std::size_t longest = 120;
@@ -90,7 +108,8 @@ bool ended_badly(const SandboxRun& run, JudgedPicture& result) {
   result.wall_seconds = run.wall_seconds;
   if (run.ending != Ending::finished) {
     result.verdict = verdict_of(run.ending);
-    result.message = "stopped at a limit after " + std::to_string(run.wall_seconds).substr(0, 4) + " s";
+    result.message = "stopped at a limit after " + std::to_string(run.wall_seconds).substr(0, 4) + " s" +
+                     what_raises(run.ending);
     const std::string kind =
         run.ending == Ending::too_much_output ? printed_image(run.printed) : std::string();
     if (!kind.empty())

@@ -52,7 +52,7 @@ class Watch {
 
   /// Reading is not held up by looking, and looking not by reading.
   bool is_due() {
-    if (Clock::now() < next_ && printed_ <= limits_.printed_bytes) return false;
+    if (Clock::now() < next_ && printed_ <= limits_.disk_bytes) return false;
     next_ = Clock::now() + std::chrono::milliseconds(watch_milliseconds);
     return true;
   }
@@ -70,7 +70,7 @@ class Watch {
   }
 
   Ending ending_by_now() {
-    if (printed_ > limits_.printed_bytes || is_disk_full()) return Ending::too_much_output;
+    if (printed_ > limits_.disk_bytes || is_disk_full()) return Ending::too_much_output;
     if (seconds() > limits_.wall_seconds) return Ending::timed_out;
     const TreeUsage usage = usage_below(process_.bubblewrap());
     if (usage.processes > limits_.processes || usage.threads > most_tasks(limits_))
@@ -103,7 +103,7 @@ class Watch {
     if (run_.signal == SIGXCPU) run_.ending = Ending::too_much_cpu;
     if (group_.ran_out_of_tasks()) run_.ending = Ending::too_many_processes;
     // A limit on the size of files that plumb was started with holds for the program, too.
-    if (run_.signal == SIGXFSZ || printed_ > limits_.printed_bytes || is_disk_full())
+    if (run_.signal == SIGXFSZ || printed_ > limits_.disk_bytes || is_disk_full())
       run_.ending = Ending::too_much_output;
     set_not_executed();
   }

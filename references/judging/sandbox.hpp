@@ -13,12 +13,12 @@ namespace plumb::references {
 
 struct SandboxLimits {
   double wall_seconds = 10;
-  double cpu_seconds = 20;                           ///< of all its processes together
-  std::size_t memory_bytes = std::size_t{2} << 30;   ///< of all its processes and files together
-  std::size_t processes = 64;                        ///< at once, those of the sandbox included
-  std::size_t disk_bytes = std::size_t{64} << 20;    ///< of all that it writes, and as much of shared memory
-  std::size_t files = 1024;                          ///< at once, directories included
-  std::size_t printed_bytes = std::size_t{1} << 20;  ///< on standard output and error
+  double cpu_seconds = 20;                          ///< of all its processes together
+  std::size_t memory_bytes = std::size_t{2} << 30;  ///< of all its processes and files together
+  std::size_t processes = 64;                       ///< at once, those of the sandbox included
+  /// Of all that it writes, as much of shared memory, and as much on standard output and error.
+  std::size_t disk_bytes = std::size_t{64} << 20;
+  std::size_t files = 1024;  ///< at once, directories included
 };
 
 enum class Ending { finished, timed_out, too_much_cpu, too_much_memory, too_many_processes, too_much_output };

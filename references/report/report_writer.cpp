@@ -8,6 +8,7 @@
 
 #include "references/digest.hpp"
 #include "references/report/escape.hpp"
+#include "references/report/own_page.hpp"
 #include "references/report/packing.hpp"
 #include "references/report/page.hpp"
 #include "references/report/picture.hpp"
@@ -28,18 +29,6 @@ void make_directory(const std::string& path) {
   if (!fs::is_directory(path)) {
     throw std::runtime_error(path + ": cannot be made a directory for the report: " + error.message());
   }
-}
-
-/// A page that somebody else made is not replaced.
-void refuse_to_replace_others(const fs::path& directory) {
-  const fs::path page = directory / "index.html";
-  if (!fs::is_regular_file(page)) return;
-  std::ifstream file(page, std::ios::binary);
-  std::string head(1000, '\0');
-  file.read(head.data(), static_cast<std::streamsize>(head.size()));
-  if (head.find("<meta name=\"generator\" content=\"plumb\">") != std::string::npos) return;
-  throw std::runtime_error(page.string() +
-                           ": is no report of plumb and is not replaced; choose another directory");
 }
 
 /// NUMBER-HASH.js: what reports name their pictures, and hardly anybody else.
@@ -76,7 +65,7 @@ ReportWriter::ReportWriter(std::string directory, std::string title, std::string
       subtitle_(std::move(subtitle)),
       most_inline_(most_inline) {
   make_directory(directory_);
-  refuse_to_replace_others(directory_);
+  refuse_to_replace_others((fs::path(directory_) / "index.html").string());
 }
 
 void ReportWriter::add(const ReportEntry& entry) {

@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "references/report/escape.hpp"
+#include "references/report/own_page.hpp"
 #include "references/report/packing.hpp"
 #include "tracer/image/encode.hpp"
 #include "tracer/scene/reader.hpp"
@@ -123,8 +124,9 @@ std::string figure(const Picture& picture, std::string_view caption) {
 }
 
 std::string page(std::string_view title, const std::string& body, std::string_view more_style) {
-  return "<!DOCTYPE html><html lang=en><meta charset=utf-8><meta name=viewport "
-         "content='width=device-width'><meta http-equiv=Content-Security-Policy content=\"default-src "
+  return "<!DOCTYPE html><html lang=en><meta charset=utf-8>" + std::string(generator_tag) +
+         "<meta name=viewport content='width=device-width'><meta http-equiv=Content-Security-Policy "
+         "content=\"default-src "
          "'none'; "
          "img-src data:; style-src 'unsafe-inline'\"><title>" +
          html_escaped(title) + "</title><style>" + std::string(style) + std::string(more_style) +

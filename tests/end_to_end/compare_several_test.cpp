@@ -225,6 +225,20 @@ TEST_F(CompareSeveral, DifferencesAreNoInputsOfTheNextRun) {
             (std::vector<std::string>{"mine", "mine/a.exr", "ref", "ref/a.exr"}));
 }
 
+TEST_F(CompareSeveral, TwoOutputsAreNeverOneFile) {
+  for (const char* const side : {"ref", "mine"}) picture(std::string(side) + "/a.pfm", 20);
+  expect_trouble(compare("ref", "mine", {"--json", "same", "--junit", "./same"}), {"names, too"});
+  EXPECT_FALSE(std::filesystem::exists(workplace_.path("same")));
+}
+
+TEST_F(CompareSeveral, ALinkToItselfIsNoImage) {
+  for (const char* const side : {"ref", "mine"}) picture(std::string(side) + "/a.pfm", 20);
+  std::filesystem::create_symlink("loop", workplace_.path("mine/loop"));
+  const Outcome outcome = compare("ref", "mine");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_TRUE(contains(outcome.out, "mine/loop")) << outcome.out;
+}
+
 TEST_F(CompareSeveral, MetricsAreToldOfEachPair) {
   for (const char* const side : {"ref", "mine"}) picture(std::string(side) + "/a.pfm", 20);
   const Outcome outcome = compare("ref", "mine", {"--metrics"});

@@ -291,6 +291,37 @@ TEST_F(JudgeCommand, WithoutBubblewrapNothingRuns) {
   EXPECT_FALSE(fs::exists(workplace_.path("ran")));
 }
 
+TEST_F(JudgeCommand, NothingThatIsRunAndNoPageOfOthersIsReplaced) {
+  const std::string script = "#!/bin/sh\nexit 1\n";
+  workplace_.file("class/ada", script);
+  workplace_.file("tracer", script);
+  workplace_.file("mine/index.html", "my own page");
+  fs::permissions(workplace_.path("class/ada"), fs::perms::owner_all);
+  fs::permissions(workplace_.path("tracer"), fs::perms::owner_all);
+  expect_trouble(judge({"--renderer", "./tracer {scene}", "--csv", "tracer"}), {"--csv", "an input"});
+  expect_trouble(
+      judge({"--renderer", "{submission} {scene}", "--submissions", "class", "--json", "class/ada"}),
+      {"--json", "an input"});
+  expect_trouble(judge({"--renderer", "./tracer {scene}", "--report", "mine"}),
+                 {"index.html", "not replaced"});
+  expect_trouble(judge({"--renderer", "./tracer {scene}", "--json", "r.json", "--resume", "./r.json"}),
+                 {"names, too"});
+  expect_trouble(judge({"--renderer", "./tracer {scene}", "--report", "new", "--csv", "new/index.html"}),
+                 {"--csv", "--report"});
+  EXPECT_EQ(read_file(workplace_.path("class/ada")), script);
+  EXPECT_EQ(read_file(workplace_.path("tracer")), script);
+  EXPECT_EQ(read_file(workplace_.path("mine/index.html")), "my own page");
+}
+
+TEST_F(JudgeCommand, ARightPictureStaysRightHoweverMuchIsPrinted) {
+  ASSERT_EQ(run_plumb({"render", "scenes/s.sdf", "-o", "room/good.ppm"}, workplace_.directory()).exit_code,
+            0);
+  workplace_.file("room/chatty", "#!/bin/sh\nhead -c 3000000 /dev/zero\ncp \"${0%/*}/good.ppm\" \"$2\"\n");
+  fs::permissions(workplace_.path("room/chatty"), fs::perms::owner_all);
+  const Outcome outcome = judge({"--renderer", "room/chatty {scene} {image}"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+}
+
 TEST_F(JudgeCommand, CommandsThatCannotBeRunAreTrouble) {
   expect_trouble(judge({}), {"--renderer", "--images"});
   expect_trouble(judge({"--renderer", "no-such-tracer {scene}"}), {"no-such-tracer"});
