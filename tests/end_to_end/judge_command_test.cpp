@@ -293,6 +293,7 @@ TEST_F(JudgeCommand, WithoutBubblewrapNothingRuns) {
 
 TEST_F(JudgeCommand, NothingThatIsRunAndNoPageOfOthersIsReplaced) {
   const std::string script = "#!/bin/sh\nexit 1\n";
+  for (const char* const directory : {"class", "mine"}) fs::create_directories(workplace_.path(directory));
   workplace_.file("class/ada", script);
   workplace_.file("tracer", script);
   workplace_.file("mine/index.html", "my own page");
@@ -314,10 +315,11 @@ TEST_F(JudgeCommand, NothingThatIsRunAndNoPageOfOthersIsReplaced) {
 }
 
 TEST_F(JudgeCommand, ARightPictureStaysRightHoweverMuchIsPrinted) {
+  fs::create_directories(workplace_.path("room"));
   ASSERT_EQ(run_plumb({"render", "scenes/s.sdf", "-o", "room/good.ppm"}, workplace_.directory()).exit_code,
             0);
   workplace_.file("room/chatty", "#!/bin/sh\nhead -c 3000000 /dev/zero\ncp \"${0%/*}/good.ppm\" \"$2\"\n");
-  fs::permissions(workplace_.path("room/chatty"), fs::perms::owner_all);
+  fs::permissions(workplace_.path("room/chatty"), static_cast<fs::perms>(0755));
   const Outcome outcome = judge({"--renderer", "room/chatty {scene} {image}"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
 }
