@@ -77,11 +77,12 @@ std::vector<std::string> files_left_in(const std::string& directory, const std::
 
 std::string why_no_picture(const std::string& printed, const std::vector<std::string>& left,
                            const std::string& expected) {
-  if (const std::string kind = printed_image(printed); !kind.empty())
+  if (const std::string kind = printed_image(printed); !kind.empty()) {
     return "the picture was printed to standard output as " + kind +
            ", expected it in the file {image}: write " +
            "it there, or, where all print it, judge --renderer 'sh -c \"\\\"$@\\\" > \\\"$0\\\"\" {image} "
            "COMMAND'";
+  }
   if (!left.empty())
     return "wrote " + list_of(left) + ", expected " + expected + ": write to the path {image}";
   return "wrote nothing, no file and no picture on standard output; expected " + expected;

@@ -155,12 +155,13 @@ SandboxRun run_confined(const std::vector<std::string>& command, const SandboxVi
 void require_sandbox(const SandboxView& view, const std::string& program) {
   found_bubblewrap();
   const std::string trouble = trouble_with(view);
-  if (!trouble.empty() && !trouble_with({}).empty())
+  if (!trouble.empty() && !trouble_with({}).empty()) {
     throw std::runtime_error(
         "bwrap may not confine programs on this machine, and they are never run unconfined: " + trouble +
         "; namespaces must be permitted: sysctl kernel.unprivileged_userns_clone=1 and, on Ubuntu, "
         "kernel.apparmor_restrict_unprivileged_userns=0; in Docker: --security-opt seccomp=unconfined "
         "--security-opt systempaths=unconfined; pictures alone can be judged with --images");
+  }
   if (!trouble.empty()) throw std::runtime_error(trouble);
   if (program.empty() || run_confined({"/usr/bin/test", "-x", program}, view, {}).exit_code == 0) return;
   throw std::runtime_error(program +

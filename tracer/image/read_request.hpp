@@ -41,13 +41,14 @@ struct ReadLimits {
       throw PictureTooLarge(path + ": cannot be read: its size is out of range, found " + size +
                                 ", expected at most " + std::to_string(pixels) + " pixels",
                             width, height);
-    if (bytes_per_pixel > bytes / (width * height))
+    if (bytes_per_pixel > bytes / (width * height)) {
       throw PictureTooLarge(path + ": cannot be read: found " + size + " of " +
                                 std::to_string(bytes_per_pixel) + " bytes, expected at most " +
                                 std::to_string(bytes >> 20) +
                                 " MiB for a compressed file of this length; larger pictures are looked at "
                                 "in uncompressed PFM, float EXR or float TIFF",
                             width, height);
+    }
   }
 };
 
