@@ -5,21 +5,9 @@
 #include "tracer/image/channel_names.hpp"
 
 namespace plumb::references {
-namespace {
 
 std::vector<std::string> names_of(const PixelRows& rows) {
   return rows.contents.channels.empty() ? usual_channels(rows.channels) : rows.contents.channels;
-}
-
-std::vector<std::string> roles_of(const PixelRows& rows) {
-  std::vector<std::string> roles;
-  for (const std::string& name : names_of(rows)) roles.push_back(channel_role(name));
-  return roles;
-}
-
-bool has_alpha_last(const PixelRows& rows) {
-  const std::vector<std::string> roles = roles_of(rows);
-  return !roles.empty() && roles.back() == "A";
 }
 
 bool is_one_everywhere(const PixelRows& rows, int channel) {
@@ -32,6 +20,19 @@ bool is_one_everywhere(const PixelRows& rows, int channel) {
     }
   }
   return true;
+}
+
+namespace {
+
+std::vector<std::string> roles_of(const PixelRows& rows) {
+  std::vector<std::string> roles;
+  for (const std::string& name : names_of(rows)) roles.push_back(channel_role(name));
+  return roles;
+}
+
+bool has_alpha_last(const PixelRows& rows) {
+  const std::vector<std::string> roles = roles_of(rows);
+  return !roles.empty() && roles.back() == "A";
 }
 
 void leave_out_alpha(PixelRows& rows, const PixelRows& other) {

@@ -3,10 +3,16 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "tracer/image/pixel_rows.hpp"
 
 namespace plumb::references {
+
+/// Of its channels, in their order; the usual ones where the file names none.
+std::vector<std::string> names_of(const PixelRows& rows);
+
+bool is_one_everywhere(const PixelRows& rows, int channel);
 
 /// Leaves out the alpha of one picture when the other has none and it is 1 everywhere: nothing is lost then.
 /// Says so in its `not_read`.

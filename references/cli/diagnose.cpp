@@ -114,10 +114,10 @@ void print_faults(const Options& options, const references::Diagnosis& d) {
 /// Of another scene are pictures in which hardly anything is right.
 void print_unexplained(const Options& options, const references::Diagnosis& d) {
   const bool is_other = 2 * d.pixels_over > d.pixels;
-  std::printf("%s: no set of known faults explains it%s\n", options.image.c_str(),
-              d.is_of_one_colour ? "; the picture has one colour, which tells no mistake from another"
-              : is_other         ? "; is it a picture of this scene?"
-                                 : "");
+  const std::string why = d.is_of_one_colour ? std::string("; ") + references::one_colour_tells_nothing
+                          : is_other         ? "; is it a picture of this scene?"
+                                             : "";
+  std::printf("%s: no set of known faults explains it%s\n", options.image.c_str(), why.c_str());
 }
 
 void print(const Options& options, const references::Diagnosis& d) {

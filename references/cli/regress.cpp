@@ -80,7 +80,9 @@ std::string message_of(const RegressedScene& scene) {
   const std::string bounds =
       scene.bounds ? bounds_text(scene.bounds->bounds, scene.bounds->comparison) : std::string();
   if (bounds.empty()) return scene.result.message;
-  return scene.result.message + (scene.result.message.empty() ? "" : "\n") + "bounds: " + bounds;
+  const bool is_within = scene.result.status == Status::agree && scene.result.comparison.pixels_over > 0;
+  return scene.result.message + (scene.result.message.empty() ? "" : "\n") + "bounds: " + bounds +
+         (is_within ? "; without them it differs" : "");
 }
 
 references::SceneResult shown(const RegressedScene& scene) {

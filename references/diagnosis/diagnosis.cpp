@@ -259,7 +259,7 @@ std::string not_right_in_words(const Diagnosis& d) {
       break;
   }
   return count_text(d.unexplained_pixels, d.pixels) + " are not right" +
-         (d.is_of_one_colour ? "; the picture has one colour, which tells no mistake from another" : "");
+         (d.is_of_one_colour ? std::string("; ") + one_colour_tells_nothing : std::string());
 }
 
 }  // namespace

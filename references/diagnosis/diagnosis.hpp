@@ -55,6 +55,9 @@ struct Diagnosis {
 Diagnosis diagnose(const Scene& scene, const Camera& camera, const textbook::RenderJob& job,
                    const ImageFile& seen, std::optional<double> tolerance = {});
 
+inline constexpr const char* one_colour_tells_nothing =
+    "the picture has one colour, which tells no mistake from another";
+
 /// What is not right, in one line, e.g. "right apart from 313 of 76800 pixels, all on 'tiny'"; empty for a
 /// picture that is right.
 std::string summary_of(const Diagnosis& diagnosis);

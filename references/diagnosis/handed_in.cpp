@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "references/shape_mismatch.hpp"
 #include "tracer/image/channel_names.hpp"
 
 namespace plumb::references {
@@ -19,17 +20,6 @@ bool has_colours(const std::vector<std::string>& names) {
   constexpr std::array<const char*, 3> roles{"R", "G", "B"};
   for (std::size_t c = 0; c < roles.size(); ++c) {
     if (channel_role(names[c]) != roles.at(c)) return false;
-  }
-  return true;
-}
-
-bool is_one_everywhere(const PixelRows& rows, std::size_t channel) {
-  std::vector<float> row(rows.row_values());
-  for (int y = 0; y < rows.height; ++y) {
-    rows.copy_row(y, row.data());
-    for (std::size_t i = channel; i < row.size(); i += static_cast<std::size_t>(rows.channels)) {
-      if (row[i] != 1) return false;
-    }
   }
   return true;
 }
@@ -55,11 +45,10 @@ std::optional<std::string> complaint_about_contents(const PixelRows& rows) {
 std::string not_looked_at(const PixelRows& rows) {
   std::string text;
   const auto add = [&](const std::string& what) { text += (text.empty() ? "" : ", ") + what; };
-  const auto channels = static_cast<std::size_t>(rows.channels);
-  const std::vector<std::string> names =
-      rows.contents.channels.empty() ? usual_channels(rows.channels) : rows.contents.channels;
-  for (std::size_t c = channels < 3 ? 1 : 3; c < channels; ++c) {
-    const std::string name = c < names.size() ? names[c] : std::to_string(c + 1);
+  const std::vector<std::string> names = names_of(rows);
+  for (int c = rows.channels < 3 ? 1 : 3; c < rows.channels; ++c) {
+    const auto place = static_cast<std::size_t>(c);
+    const std::string name = place < names.size() ? names[place] : std::to_string(c + 1);
     if (channel_role(name) != "A" || !is_one_everywhere(rows, c)) add("channel " + name);
   }
   for (const std::string& what : rows.contents.not_read) add(what);

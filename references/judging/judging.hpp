@@ -92,7 +92,8 @@ std::vector<JudgedScene> scenes_to_judge(const std::string& directory, const Dia
 /// Each entry of a directory, by name. Throws std::runtime_error when there is none.
 std::vector<Submission> submissions_in(const std::string& directory);
 
-/// The submissions of a directory of pictures: its directories; itself, when it has none.
+/// The submissions of a directory of pictures: its directories, links to such included; itself, when it has
+/// none, or pictures and nothing but links.
 std::vector<Submission> pictures_in(const std::string& directory);
 
 /// The files with a picture's name, below a directory of pictures, that are of no scene: relative to it, by

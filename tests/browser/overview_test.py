@@ -19,7 +19,7 @@ class Overview(ReportTest):
         self.press("/")
         self.press("VALUES")
         self.wait(lambda: self.names() == [VALUES])
-        self.assertEqual("1 of 4 scenes", self.text(".outcome"))
+        self.assertEqual("1 of 4 results", self.text(".outcome"))
 
     def test_filter_by_cause_and_message(self):
         search = self.find("#filter")

@@ -16,7 +16,7 @@ export const shortcuts = [
   {keys: ["j", "n"], shown: "j or n", text: "next scene", action: "next"},
   {keys: ["k", "p"], shown: "k or p", text: "previous scene", action: "previous"},
   {keys: ["o", "Escape"], shown: "o or Esc", text: "overview", action: "overview"},
-  {keys: ["/"], text: "filter the scenes", action: "filter"},
+  {keys: ["/"], text: "filter the results", action: "filter"},
   {keys: ["?"], text: "this help", action: "help"},
 ];
 

@@ -62,7 +62,7 @@ export class Overview {
 
   controls() {
     this.search = element("input", {type: "search", id: "filter", placeholder: "Filter by name, message or cause ( / )",
-      "aria-label": "Filter scenes", autocomplete: "off", spellcheck: "false",
+      "aria-label": "Filter results", autocomplete: "off", spellcheck: "false",
       oninput: () => { this.text = this.search.value.toLowerCase(); this.update(); }});
     this.select = element("select", {"aria-label": "Sort by", class: "sort-by", onchange: () => this.sort_by(this.select.value)},
       columns.map(([id, title]) => element("option", {value: id}, `Sort: ${title}`)));
@@ -120,8 +120,8 @@ export class Overview {
   update() {
     const shown = this.shown();
     this.body.replaceChildren(...shown.map((scene) => this.row_of(scene)));
-    this.outcome.textContent = shown.length === this.scenes.length ? `${count(shown.length)} scenes`
-      : `${count(shown.length)} of ${count(this.scenes.length)} scenes`;
+    this.outcome.textContent = shown.length === this.scenes.length ? `${count(shown.length)} results`
+      : `${count(shown.length)} of ${count(this.scenes.length)} results`;
     this.select.value = this.sort.id;
     for (const head of this.heads) {
       const is_sorted = head.dataset.column === this.sort.id;
