@@ -81,8 +81,7 @@ bool set_descriptors(const Inherited& given) {
 }
 
 /// Between fork and exec: only calls that are safe there.
-[[noreturn]] void become(char* const* arguments, const Inherited& given, const SandboxLimits& limits,
-                         std::size_t tasks) {
+[[noreturn]] void become(char* const* arguments, const Inherited& given, const SandboxLimits& limits) {
   static char* const no_environment[] = {nullptr};
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (given.group >= 0 && write(given.group, "0", 1) != 1) _exit(126);
@@ -90,9 +89,8 @@ bool set_descriptors(const Inherited& given) {
   if (!set_descriptors(given)) _exit(126);
   limit(RLIMIT_CORE, 0);
   limit(RLIMIT_CPU, static_cast<std::size_t>(limits.cpu_seconds) + 1);
-  // Behind the watcher, in case that it is late. Root's runs are users of their own; ours are counted with
-  // us.
-  limit(RLIMIT_NPROC, geteuid() == 0 ? 2 * tasks : 2 * tasks + 1024);
+  // The program has a limit of its own; with this one the kernel counts all runs of our user together.
+  limit(RLIMIT_NPROC, RLIM_INFINITY);
   for (const int number : {SIGXFSZ, SIGPIPE}) signal(number, SIG_DFL);
   execve(arguments[0], arguments, no_environment);
   _exit(126);
@@ -153,9 +151,8 @@ ConfinedProcess::ConfinedProcess(const std::vector<std::string>& command, const 
   const auto filter = filter_file();
   const Inherited given{output.to->number(), status.to->number(), release.from->number(), filter->number(),
                         group.entrance()};
-  const std::size_t tasks = most_tasks(limits);
   bubblewrap_ = fork();
-  if (bubblewrap_ == 0) become(arguments.data(), given, limits, tasks);
+  if (bubblewrap_ == 0) become(arguments.data(), given, limits);
   if (bubblewrap_ < 0) fail("bwrap cannot be started");
   output_ = std::move(output.from);
   status_ = std::move(status.from);

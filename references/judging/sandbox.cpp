@@ -71,10 +71,11 @@ class Watch {
 
   Ending ending_by_now() {
     if (printed_ > limits_.disk_bytes || is_disk_full()) return Ending::too_much_output;
-    if (seconds() > limits_.wall_seconds) return Ending::timed_out;
     const TreeUsage usage = usage_below(process_.bubblewrap());
+    // Before the time, which may be over because so many processes are looked at.
     if (usage.processes > limits_.processes || usage.threads > most_tasks(limits_))
       return Ending::too_many_processes;
+    if (seconds() > limits_.wall_seconds) return Ending::timed_out;
     if (takes_too_much_memory(usage)) return Ending::too_much_memory;
     const double cpu = group_.cpu_seconds().value_or(clock_.after(usage));
     return cpu > limits_.cpu_seconds ? Ending::too_much_cpu : Ending::finished;

@@ -1,7 +1,11 @@
 #include "references/judging/sandbox_arguments.hpp"
 
+#include <sys/resource.h>
+
+#include <algorithm>
 #include <filesystem>
 
+#include "references/judging/control_group.hpp"
 #include "references/judging/shown_places.hpp"
 
 namespace plumb::references {
@@ -48,6 +52,14 @@ void add_mounts(Words& all, const SandboxView& view, const SandboxLimits& limits
   add(all, {"--remount-ro", "/dev", "--remount-ro", "/"});
 }
 
+/// Behind the watcher, in case that it is late. The kernel counts those of the sandbox's own user namespace
+/// alone, and before Linux 5.14 all of our user, who has some already.
+std::string most_processes(const SandboxLimits& limits, unsigned user) {
+  rlimit now{};
+  getrlimit(RLIMIT_NPROC, &now);
+  return std::to_string(std::min<rlim_t>(2 * most_tasks(limits) + (user == 0 ? 1024 : 0), now.rlim_max));
+}
+
 }  // namespace
 
 std::vector<std::string> sandbox_arguments(const std::string& bwrap, const std::vector<std::string>& command,
@@ -65,7 +77,9 @@ std::vector<std::string> sandbox_arguments(const std::string& bwrap, const std::
   add_mounts(all, view, limits);
   add(all, {"--setenv", "PATH", "/usr/local/bin:/usr/bin:/bin", "--setenv", "HOME", sandbox_directory});
   add(all, {"--setenv", "TMPDIR", "/tmp", "--setenv", "LC_ALL", "C.UTF-8"});
-  add(all, {"--chdir", sandbox_directory, "--", "/usr/bin/setpriv", "--no-new-privs"});
+  add(all, {"--chdir", sandbox_directory, "--"});
+  add(all, {"/usr/bin/prlimit", "--nproc=" + most_processes(limits, user), "--"});
+  add(all, {"/usr/bin/setpriv", "--no-new-privs"});
   const std::string id = std::to_string(user);
   if (user != 0) add(all, {"--reuid", id, "--regid", id, "--clear-groups"});
   add(all, {"--"});

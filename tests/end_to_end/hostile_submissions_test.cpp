@@ -211,5 +211,18 @@ TEST_F(HostileSubmissions, NorAsAUser) {
   judge_both("setpriv --reuid 54321 --regid 54321 --clear-groups");
 }
 
+/// A user's processes are counted together, but those of a sandbox are not among them.
+TEST_F(HostileSubmissions, AForkBombTakesNothingFromOthers) {
+  hand_in("bombed", {"b-bomb", "too-many-processes", ""}, shell);
+  const auto compiled = run_shell(
+      "echo 'extern \"C\" int fork(); int main() { for (;;) fork(); }' | c++ -x c++ -o bombed/b-bomb/run -",
+      workplace_.directory());
+  ASSERT_EQ(compiled.exit_code, 0) << compiled.output;
+  for (const char* const name : {"a", "c", "d", "e", "f"})
+    hand_in("bombed", {name, "right", "cp \"$0.ppm\" \"$2\""}, shell);
+  fs::permissions(workplace_.directory(), fs::perms(0777));
+  judge(geteuid() == 0 ? "setpriv --reuid 54321 --regid 54321 --clear-groups" : "", "bombed", "60");
+}
+
 }  // namespace
 }  // namespace plumb::tests
