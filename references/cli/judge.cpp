@@ -87,6 +87,7 @@ references::JudgeOptions judge_options(const Options& options) {
   }
   judge.limits = limits_of(options);
   judge.jobs = options.jobs;
+  judge.results = places_of_results(options.outputs);
   judge.keeps_pictures = !options.outputs.report.empty();
   judge.dialect = dialect_of(options.common);
   judge.render = render_options_of(options.common);

@@ -41,12 +41,14 @@ bool is_special(const std::string& path) {
          std::filesystem::is_other(path, none);
 }
 
+constexpr const char* journal_ending = ".judged.jsonl";
+
 /// In the report, or beside the first output that is a file.
 std::string journal_path(const JudgeOutputs& outputs) {
   if (!outputs.resume.empty()) return outputs.resume;
   if (!outputs.report.empty()) return (std::filesystem::path(outputs.report) / "judged.jsonl").string();
   for (const std::string& path : {outputs.json, outputs.csv, outputs.junit})
-    if (!path.empty() && !is_special(path)) return path + ".judged.jsonl";
+    if (!path.empty() && !is_special(path)) return path + journal_ending;
   return {};
 }
 
@@ -113,6 +115,18 @@ void check(const JudgeOutputs& outputs) {
     references::refuse_to_replace_others((std::filesystem::path(outputs.report) / "index.html").string());
   if (std::count(files.begin(), files.end(), "-") > 1)
     throw std::invalid_argument("--json, --csv, --junit: found - more than once, expected a FILE");
+}
+
+std::vector<std::string> places_of_results(const JudgeOutputs& outputs) {
+  std::vector<std::string> all;
+  for (const std::string& path : {outputs.report, outputs.resume})
+    if (!path.empty()) all.push_back(path);
+  for (const std::string& path : {outputs.json, outputs.csv, outputs.junit}) {
+    if (path.empty() || is_special(path)) continue;
+    all.push_back(path);
+    all.push_back(path + journal_ending);
+  }
+  return all;
 }
 
 std::unique_ptr<references::Journal> open_journal(const JudgeOutputs& outputs) {

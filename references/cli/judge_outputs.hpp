@@ -22,6 +22,9 @@ void add_judge_outputs(CLI::App& app, JudgeOutputs& outputs);
 /// Throws std::invalid_argument when two go to standard output.
 void check(const JudgeOutputs& outputs);
 
+/// The files and directories that are written, and where journals of earlier runs may lie.
+std::vector<std::string> places_of_results(const JudgeOutputs& outputs);
+
 /// Opens the journal, and says what of an earlier run is in it. Null when nothing is written to a file.
 /// Throws std::runtime_error.
 std::unique_ptr<references::Journal> open_journal(const JudgeOutputs& outputs);

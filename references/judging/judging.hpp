@@ -73,6 +73,7 @@ struct JudgeOptions {
   std::vector<std::string> command;   ///< with {scene} {image} {submission}; empty: pictures only
   std::string submissions_directory;  ///< hidden from each submission but for its own; may be empty
   std::vector<std::string> readable;  ///< paths that a program may read in the hidden places
+  std::vector<std::string> results;   ///< what the run writes, which tells of right pictures: hidden, too
   SandboxLimits limits;
   int jobs = 2;
   bool keeps_pictures = false;  ///< in the journal, so that memory does not hold them

@@ -47,12 +47,35 @@ void allow(const std::string& word, const JudgeOptions& options, std::vector<std
   if (is_plumb(path)) readable.push_back(path.string());
 }
 
+std::vector<std::string> readable_by_all(const JudgeOptions& options) {
+  std::vector<std::string> readable = options.readable;
+  for (const std::string& word : options.command) allow(word, options, readable);
+  return readable;
+}
+
+bool lies_in(const fs::path& path, const fs::path& directory) {
+  std::error_code none;
+  const fs::path way = fs::weakly_canonical(path, none).lexically_relative(directory);
+  return !way.empty() && *way.begin() != "..";
+}
+
+/// Of a directory with what is shown the pages and journals alone.
+void hide(const std::string& result, const std::vector<std::string>& readable,
+          std::vector<std::string>& hidden) {
+  std::error_code none;
+  const fs::path real = fs::weakly_canonical(fs::absolute(result), none);
+  const bool is_shared = std::any_of(readable.begin(), readable.end(),
+                                     [&](const std::string& path) { return lies_in(path, real); });
+  if (!is_shared || !fs::is_directory(real, none)) return hidden.push_back(real.string());
+  for (const auto& entry : fs::directory_iterator(real, none)) {
+    const fs::path kind = entry.path().extension();
+    if (kind == ".html" || kind == ".jsonl") hidden.push_back(entry.path().string());
+  }
+}
+
 SandboxView view_for(const Submission& submission, const JudgeOptions& options, const std::string& given) {
-  SandboxView view{given, options.readable, {}};
-  for (const std::string& word : options.command) allow(word, options, view.readable);
-  if (options.submissions_directory.empty()) return view;
-  view.hidden.push_back(options.submissions_directory);
-  view.readable.push_back(submission.path);
+  SandboxView view{given, readable_by_all(options), hidden_from_runs(options)};
+  if (!options.submissions_directory.empty()) view.readable.push_back(submission.path);
   return view;
 }
 
@@ -230,13 +253,19 @@ std::string picture_handed_in(const Submission& submission, const JudgedScene& s
 }
 
 std::vector<std::string> files_of_command(const JudgeOptions& options) {
-  std::vector<std::string> files = options.readable;
+  std::vector<std::string> files = readable_by_all(options);
   std::error_code none;
-  for (const std::string& word : options.command) {
-    allow(word, options, files);
+  for (const std::string& word : options.command)
     if (word.starts_with("/") && fs::is_regular_file(word, none)) files.push_back(word);
-  }
   return files;
+}
+
+std::vector<std::string> hidden_from_runs(const JudgeOptions& options) {
+  std::vector<std::string> hidden;
+  if (!options.submissions_directory.empty()) hidden.push_back(options.submissions_directory);
+  const std::vector<std::string> readable = readable_by_all(options);
+  for (const std::string& result : options.results) hide(result, readable, hidden);
+  return hidden;
 }
 
 }  // namespace plumb::references

@@ -28,4 +28,7 @@ std::string picture_handed_in(const Submission& submission, const JudgedScene& s
 /// What the command's words and --readable let every run see, beside its submission.
 std::vector<std::string> files_of_command(const JudgeOptions& options);
 
+/// What no run sees in there: the submissions, but for its own, and the results of this and earlier runs.
+std::vector<std::string> hidden_from_runs(const JudgeOptions& options);
+
 }  // namespace plumb::references

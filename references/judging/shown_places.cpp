@@ -8,6 +8,9 @@
 #include <map>
 #include <stdexcept>
 
+#include "references/cache.hpp"
+#include "references/stored.hpp"
+
 namespace plumb::references {
 namespace {
 
@@ -42,14 +45,17 @@ bool is_closed(const fs::path& path) {
   return geteuid() == 0 && fs::is_directory(status) && (status.permissions() & needed) != needed;
 }
 
-/// Plumb itself, its source with the reference pictures, and where an installation keeps its data: who runs
+/// Plumb itself, its source, where an installation keeps its data, and the pictures of references: who runs
 /// plumb or copies its pictures has not traced.
 std::vector<fs::path> places_of_plumb() {
+  std::vector<fs::path> places{PLUMB_SOURCE_DIRECTORY, StoredReferences::default_directory(),
+                               Cache().directory()};
   std::error_code none;
   const fs::path program = fs::read_symlink("/proc/self/exe", none);
-  if (none) return {PLUMB_SOURCE_DIRECTORY};
+  if (none) return places;
   const fs::path prefix = program.parent_path().parent_path();
-  return {program, PLUMB_SOURCE_DIRECTORY, prefix / "share/plumb", prefix / "lib/plumb"};
+  places.insert(places.end(), {program, prefix / "share/plumb", prefix / "lib/plumb"});
+  return places;
 }
 
 class Plan {
