@@ -39,13 +39,15 @@ std::string of_options(const JudgeOptions& options) {
 }  // namespace
 
 ResultKeys::ResultKeys(const JudgeOptions& options) : options_(options) {
-  if (options.journal != nullptr) common_ = joined({of_this_program(), of_options(options)});
+  if (options.journal == nullptr) return;
+  hidden_ = hidden_from_runs(options);
+  common_ = joined({of_this_program(), of_options(options)});
 }
 
 std::string ResultKeys::state_of_file(const std::string& path) {
   const std::scoped_lock lock(mutex_);
   std::string& state = files_[path];
-  if (state.empty()) state = sha256(fingerprint_of(path));
+  if (state.empty()) state = sha256(fingerprint_of(path, hidden_));
   return state;
 }
 

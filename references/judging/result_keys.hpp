@@ -4,6 +4,7 @@
 #include <map>
 #include <mutex>
 #include <string>
+#include <vector>
 
 #include "references/judging/judging.hpp"
 
@@ -16,7 +17,7 @@ class ResultKeys {
   explicit ResultKeys(const JudgeOptions& options);
 
   /// SHA-256 of this program, the options, the scene, and the state of all files of the submission and of the
-  /// command. Throws std::runtime_error when one of those is gone.
+  /// command, as far as a run sees them. Throws std::runtime_error when one of those is gone.
   std::string of(const Submission& submission, const JudgedScene& scene);
 
  private:
@@ -24,6 +25,7 @@ class ResultKeys {
   std::string state_of_file(const std::string& path);
 
   const JudgeOptions& options_;
+  std::vector<std::string> hidden_;  ///< from all runs: it may change
   std::string common_;
   std::map<std::string, std::string> files_;  ///< by path: large ones are looked at once
   std::mutex mutex_;

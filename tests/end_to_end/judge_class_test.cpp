@@ -167,6 +167,74 @@ TEST_F(JudgeClassRuns, InterruptedItWritesWhatIsDone) {
   EXPECT_EQ(json()["complete"], true);
 }
 
+/// The script that runs the submissions lies beside them and beside the results.
+class JudgeBesideResults : public JudgeClassRuns {
+ protected:
+  void SetUp() override {
+    JudgeClassRuns::SetUp();
+    fs::permissions(
+        workplace_.file(
+            "run.sh",
+            "#!/bin/sh\nbeside=$(dirname \"$0\")/beside\n[ ! -e $beside ] || . $beside\nexec \"$@\"\n"),
+        fs::perms(0755));
+  }
+  static constexpr const char* run_beside =
+      "$JUDGE --renderer './run.sh {submission} {scene} {image}' --submissions class --timeout 100 ";
+};
+
+TEST_F(JudgeBesideResults, NoResultIsSeenByASubmission) {
+  for (const char* const place : {"cache", "stored"}) {
+    fs::create_directories(workplace_.path(place));
+    workplace_.file(std::string(place) + "/picture", "right\n");
+  }
+  workplace_.file("c.csv.judged.jsonl", "of an earlier run\n");
+  submit_slow("ada", "0");
+  submit("spy",
+         "cd \"$(dirname \"$0\")/..\"; test -s run.sh && echo HERE\n"
+         "for f in report/* *.json *.jsonl *.csv *.xml cache/* stored/*; do test -s \"$f\" && echo SEEN $f; "
+         "done\nexit 3\n");
+  const std::string all = "export PLUMB_CACHE=$PWD/cache PLUMB_REFERENCES=$PWD/stored; " +
+                          std::string(run_beside) + "--report report --json j.json --csv c.csv --junit u.xml";
+  for (const char* const when : {"first", "with the results of the first"}) {
+    const auto told = shell(all);
+    ASSERT_EQ(verdicts(), (Verdicts{{"ada", "right"}, {"spy", "crashed"}})) << told.output;
+    EXPECT_EQ(json()["pictures"][1]["printed"], "HERE\n") << when;
+  }
+  // Where the results are among what is shown the pages are hidden alone.
+  shell(std::string(run_beside) + "--report . --json j.json");
+  shell(std::string(run_beside) + "--report . --json j.json");
+  EXPECT_TRUE(exists("submission-1.html"));
+  submit("spy",
+         "cd \"$(dirname \"$0\")/..\"; test -s run.sh && echo HERE; test -s submission-1.html && echo "
+         "SEEN; test -s judged.jsonl && echo SEEN; exit 3\n");
+  shell(std::string(run_beside) + "--report . --json j.json");
+  EXPECT_EQ(json()["pictures"][1]["printed"], "HERE\n");
+}
+
+TEST_F(JudgeBesideResults, ResultsAndOtherSubmissionsAreNoChange) {
+  submit_slow("a", "0");
+  submit("b", "sleep 100\n");
+  const std::string all = std::string(run_beside) + "--report report --json j.json --csv c.csv";
+  shell(all + " & judge=$!\nuntil grep -q key report/judged.jsonl 2>/dev/null; do sleep 0.1; done\n" +
+        "kill -TERM $judge; wait $judge");
+  ASSERT_EQ(verdicts(), (Verdicts{{"a", "right"}, {"b", "not-judged"}}));
+  const Json before = json()["pictures"][0]["wall_seconds"];
+  submit_slow("b", "0");
+  ASSERT_EQ(shell(all).exit_code, 0);
+  EXPECT_EQ(json()["pictures"][0]["wall_seconds"], before) << "it ran again";
+}
+
+TEST_F(JudgeBesideResults, WhatLiesBesideTheScriptIsAChange) {
+  submit_slow("a", "0");
+  submit("b", "sleep 100\n");
+  const std::string all = std::string(run_beside) + "--report report --json j.json";
+  shell(all + " & judge=$!\nuntil grep -q key report/judged.jsonl 2>/dev/null; do sleep 0.1; done\n" +
+        "kill -TERM $judge; wait $judge");
+  workplace_.file("beside", "exit 3\n");
+  shell(all);
+  EXPECT_EQ(verdicts(), (Verdicts{{"a", "crashed"}, {"b", "crashed"}}));
+}
+
 TEST_F(JudgeClassRuns, SaysWhatWasDoneInsteadOfAPicture) {
   submit("nothing", "exit 0\n");
   submit("prints", "echo rendering; printf 'P3\\n16 12\\n255\\n0 0 0\\n'\n");

@@ -173,6 +173,17 @@ TEST(Fingerprint, ChangesWithAnyChange) {
   expect_change("another file");
   fs::rename(place.path("d/g"), place.path("d/h"));
   expect_change("name");
+  fs::create_directories(place.path("d/out"));
+  place.file("d/journal", "");
+  expect_change("a file and a directory");
+  const std::vector<std::string> out{place.path("d/out"), place.path("d/journal"), place.path("d/later")};
+  last = references::fingerprint_of(place.path("d"), out);
+  place.file("d/out/page", "");
+  place.file("d/journal", "longer");
+  place.file("d/later", "");
+  EXPECT_EQ(references::fingerprint_of(place.path("d"), out), last) << "what is left out";
+  place.file("d/another", "");
+  EXPECT_NE(references::fingerprint_of(place.path("d"), out), last);
   EXPECT_THROW(references::fingerprint_of(place.path("none")), std::runtime_error);
 }
 
