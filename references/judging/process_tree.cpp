@@ -8,6 +8,7 @@
 #include <cctype>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <optional>
@@ -78,6 +79,23 @@ std::string file_of(const TreeMember& member, const char* name) {
   return "/proc/" + std::to_string(member.id) + "/" + name;
 }
 
+std::vector<std::string> threads_of(const TreeMember& member) {
+  std::vector<std::string> all;
+  std::error_code gone;
+  std::filesystem::directory_iterator at(file_of(member, "task"), gone);
+  for (; !gone && at != std::filesystem::directory_iterator(); at.increment(gone))
+    all.push_back(at->path().string());
+  return all;
+}
+
+/// proc(5), /proc/pid/task/tid/stat: the state stands behind the name, which may hold parentheses.
+bool is_runnable(const std::string& thread) {
+  std::string text;
+  std::getline(std::ifstream(thread + "/stat"), text, '\0');
+  const std::size_t end_of_name = text.rfind(')');
+  return end_of_name != std::string::npos && text.substr(end_of_name, 3) == ") R";
+}
+
 using SharedLengths = std::map<std::string, std::size_t>;
 
 /// proc(5), /proc/pid/maps: range, rights, offset, device, inode, name. Anonymous shared memory is a file of
@@ -117,6 +135,13 @@ TreeUsage usage_below(pid_t root) {
     usage.cpu_seconds += seconds_of(p.ticks);
   }
   return usage;
+}
+
+bool is_any_runnable(const std::vector<TreeMember>& members) {
+  return std::any_of(members.begin(), members.end(), [](const TreeMember& member) {
+    const std::vector<std::string> threads = threads_of(member);
+    return std::any_of(threads.begin(), threads.end(), is_runnable);
+  });
 }
 
 std::size_t unseen_memory(const std::vector<TreeMember>& members) {

@@ -27,6 +27,9 @@ struct TreeUsage {
 /// A process that ends while it is looked at counts or not.
 TreeUsage usage_below(pid_t root);
 
+/// Whether a thread of theirs computes, or would if a core were free.
+bool is_any_runnable(const std::vector<TreeMember>& members);
+
 /// What no process has resident: page tables, and anonymous shared memory in the whole length that is mapped.
 std::size_t unseen_memory(const std::vector<TreeMember>& members);
 

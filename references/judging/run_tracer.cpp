@@ -4,6 +4,9 @@
 #include <cctype>
 #include <cstdlib>
 #include <filesystem>
+#include <functional>
+#include <mutex>
+#include <shared_mutex>
 #include <stdexcept>
 
 #include "references/judging/collect.hpp"
@@ -77,6 +80,35 @@ SandboxView view_for(const Submission& submission, const JudgeOptions& options, 
   SandboxView view{given, readable_by_all(options), hidden_from_runs(options)};
   if (!options.submissions_directory.empty()) view.readable.push_back(submission.path);
   return view;
+}
+
+/// Runs beside each other, but for one that has to be alone.
+class Runway {
+ public:
+  SandboxRun run_beside_others(const std::function<SandboxRun()>& run) {
+    std::unique_lock turn(turnstile_);
+    const std::shared_lock lock(runway_);
+    turn.unlock();
+    return run();
+  }
+  SandboxRun run_alone(const std::function<SandboxRun()>& run) {
+    const std::scoped_lock turn(turnstile_);  // so that no others begin meanwhile
+    const std::scoped_lock lock(runway_);
+    return run();
+  }
+
+ private:
+  std::mutex turnstile_;
+  std::shared_mutex runway_;
+};
+
+/// What timed out because others had the cores runs once more, alone.
+SandboxRun fair_run(const std::vector<std::string>& command, const SandboxView& view,
+                    const SandboxLimits& limits) {
+  static Runway runway;
+  const auto run = [&] { return run_confined(command, view, limits); };
+  SandboxRun first = runway.run_beside_others(run);
+  return first.was_starved ? runway.run_alone(run) : first;
 }
 
 Judged verdict_of(Ending ending) {
@@ -198,7 +230,7 @@ std::string picture_of_run(const Submission& submission, const JudgedScene& scen
   const auto command =
       substituted(options.command,
                   {{"scene", inside + ".sdf"}, {"image", inside + ".ppm"}, {"submission", submission.path}});
-  const SandboxRun run = run_confined(command, view_for(submission, options, work.path()), options.limits);
+  const SandboxRun run = fair_run(command, view_for(submission, options, work.path()), options.limits);
   if (ended_badly(run, result)) return {};
   Found found = Found::nothing;
   const std::vector<std::string> names{scene.name + ".ppm", name_in_scene(scene)};

@@ -22,6 +22,9 @@ constexpr std::size_t kept_bytes = std::size_t{16} << 10;
 /// because a fork bomb makes some thousand processes in a tenth of a second
 constexpr int watch_milliseconds = 20;
 
+/// Of the seconds that passed: who computes without a pause and has got no more was kept from it.
+constexpr double most_of_starved = 0.8;
+
 class Watch {
  public:
   Watch(ConfinedProcess& process, const ControlGroup& group, const SandboxLimits& limits)
@@ -75,10 +78,13 @@ class Watch {
     // Before the time, which may be over because so many processes are looked at.
     if (usage.processes > limits_.processes || usage.threads > most_tasks(limits_))
       return Ending::too_many_processes;
-    if (seconds() > limits_.wall_seconds) return Ending::timed_out;
+    cpu_seconds_ = group_.cpu_seconds().value_or(clock_.after(usage));
+    if (seconds() > limits_.wall_seconds) {
+      run_.was_starved = cpu_seconds_ < most_of_starved * seconds() && is_any_runnable(usage.members);
+      return Ending::timed_out;
+    }
     if (takes_too_much_memory(usage)) return Ending::too_much_memory;
-    const double cpu = group_.cpu_seconds().value_or(clock_.after(usage));
-    return cpu > limits_.cpu_seconds ? Ending::too_much_cpu : Ending::finished;
+    return cpu_seconds_ > limits_.cpu_seconds ? Ending::too_much_cpu : Ending::finished;
   }
 
   bool is_disk_full() const {
@@ -124,6 +130,7 @@ class Watch {
   TreeClock clock_;
   SandboxRun run_;
   std::size_t printed_ = 0;
+  double cpu_seconds_ = 0;  ///< when it was looked at last
   bool is_open_ = true;
   Clock::time_point begin_ = Clock::now();
   Clock::time_point next_ = begin_;

@@ -25,8 +25,9 @@ enum class Ending { finished, timed_out, too_much_cpu, too_much_memory, too_many
 
 struct SandboxRun {
   Ending ending = Ending::finished;
-  int exit_code = 0;  ///< valid when it finished without a signal
+  int exit_code = 0;         ///< valid when it finished without a signal
   int signal = 0;
+  bool was_starved = false;  ///< it timed out, still had to compute, and had got little CPU time
   double wall_seconds = 0;
   std::string printed;       ///< the first 16 KiB of standard output and error
   std::string not_executed;  ///< why the program itself never began; empty when it did

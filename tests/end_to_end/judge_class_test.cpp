@@ -167,6 +167,24 @@ TEST_F(JudgeClassRuns, InterruptedItWritesWhatIsDone) {
   EXPECT_EQ(json()["complete"], true);
 }
 
+/// Schedulers share cores among sessions before they share them among processes.
+TEST_F(JudgeClassRuns, ANeighbourThatTakesAllCoresTakesNoTime) {
+  const std::string hog =
+      "exec python3 -c '\nimport os\nfor i in range(20 * os.cpu_count()):\n if os.fork() == 0:\n"
+      "  os.setsid()\n  while True: pass\nwhile True: pass'\n";
+  submit("a-hog", hog);
+  submit("c-hog", hog);
+  submit_slow("b-right", "0");
+  const std::string compute = "python3 -c '\nimport time\nwhile time.process_time() < 1.5: pass'\n";
+  const std::string script = read_file(workplace_.path("class/b-right"));
+  workplace_.file("class/b-right", replaced(script, "sleep 0\n", compute));
+  const auto told = shell(
+      "$JUDGE --jobs 2 --renderer '{submission} {scene} {image}' --submissions class --timeout 5 --cpu 10000 "
+      "--processes 10000 --json j.json");
+  EXPECT_EQ(verdicts(), (Verdicts{{"a-hog", "timed-out"}, {"b-right", "right"}, {"c-hog", "timed-out"}}))
+      << told.output;
+}
+
 /// The script that runs the submissions lies beside them and beside the results.
 class JudgeBesideResults : public JudgeClassRuns {
  protected:

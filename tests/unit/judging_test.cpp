@@ -2,7 +2,11 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
+
+#include <csignal>
+#include <thread>
 
 #include "references/judging/collect.hpp"
 #include "references/judging/command_line.hpp"
@@ -95,6 +99,31 @@ TEST(ProcessTree, CountsThoseBelow) {
   }
   EXPECT_EQ(references::usage_below(getpid()).processes, before + 1);
   kill(child, SIGKILL);
+}
+
+void compute() {
+  for (volatile bool is_endless = true; is_endless;) {
+  }
+}
+
+/// Whether a child is runnable while it does this.
+bool is_runnable_while(void (*does)()) {
+  const pid_t child = fork();
+  if (child == 0) {
+    does();
+    _exit(0);
+  }
+  usleep(300'000);
+  const bool is_runnable = references::is_any_runnable(references::usage_below(getpid()).members);
+  kill(child, SIGKILL);
+  waitpid(child, nullptr, 0);
+  return is_runnable;
+}
+
+TEST(ProcessTree, KnowsWhoWantsACore) {
+  EXPECT_FALSE(is_runnable_while([] { pause(); }));
+  EXPECT_TRUE(is_runnable_while(&compute));
+  EXPECT_TRUE(is_runnable_while([] { std::thread(&compute).join(); })) << "its first thread waits";
 }
 
 }  // namespace
