@@ -175,7 +175,8 @@ bool ended_badly(const SandboxRun& run, JudgedPicture& result) {
                      ": is it there, executable, and the interpreter of its first line, too?";
   } else if (run.signal != 0) {
     result.verdict = Judged::crashed;
-    result.message = "ended by signal " + std::to_string(run.signal) + last_words(run.printed);
+    result.message = "ended by signal " + std::to_string(run.signal) + ", or exit code " +
+                     std::to_string(run.exit_code) + last_words(run.printed);
   }
   return !result.message.empty();
 }

@@ -1,6 +1,7 @@
 #include "references/judging/sandbox.hpp"
 
 #include <poll.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -24,6 +25,8 @@ constexpr int watch_milliseconds = 20;
 
 /// Of the seconds that passed: who computes without a pause and has got no more was kept from it.
 constexpr double most_of_starved = 0.8;
+/// Of the CPU time allowed: what was seen last, some time before the end.
+constexpr double near_cpu_limit = 0.8;
 
 class Watch {
  public:
@@ -107,12 +110,22 @@ class Watch {
     else if (run_.exit_code < 0)
       throw std::runtime_error("the sandbox failed: " + run_.printed);
     if (run_.exit_code > 128 && run_.exit_code < 128 + 65) run_.signal = run_.exit_code - 128;
-    if (run_.signal == SIGXCPU) run_.ending = Ending::too_much_cpu;
+    if (run_.signal == SIGXCPU && is_near_cpu_limit()) run_.ending = Ending::too_much_cpu;
     if (group_.ran_out_of_tasks()) run_.ending = Ending::too_many_processes;
-    // A limit on the size of files that plumb was started with holds for the program, too.
-    if (run_.signal == SIGXFSZ || printed_ > limits_.disk_bytes || is_disk_full())
+    if ((run_.signal == SIGXFSZ && is_file_size_limited()) || printed_ > limits_.disk_bytes || is_disk_full())
       run_.ending = Ending::too_much_output;
     set_not_executed();
+  }
+
+  /// Or the program ended by itself with the exit code that stands for the signal.
+  bool is_near_cpu_limit() const {
+    return group_.cpu_seconds().value_or(cpu_seconds_) > near_cpu_limit * limits_.cpu_seconds;
+  }
+
+  /// A limit that plumb was started with holds for the program, too.
+  static bool is_file_size_limited() {
+    rlimit now{};
+    return getrlimit(RLIMIT_FSIZE, &now) == 0 && now.rlim_cur != RLIM_INFINITY;
   }
 
   /// setpriv(1) ends so, and names the reason, when the kernel does not execute the program.

@@ -25,8 +25,8 @@ enum class Ending { finished, timed_out, too_much_cpu, too_much_memory, too_many
 
 struct SandboxRun {
   Ending ending = Ending::finished;
-  int exit_code = 0;         ///< valid when it finished without a signal
-  int signal = 0;
+  int exit_code = 0;         ///< valid when it finished
+  int signal = 0;            ///< that its exit code, 128 and more, may stand for; else 0
   bool was_starved = false;  ///< it timed out, still had to compute, and had got little CPU time
   double wall_seconds = 0;
   std::string printed;       ///< the first 16 KiB of standard output and error

@@ -185,6 +185,22 @@ TEST_F(JudgeClassRuns, ANeighbourThatTakesAllCoresTakesNoTime) {
       << told.output;
 }
 
+TEST_F(JudgeClassRuns, AnExitCodeIsNoSignal) {
+  for (const char* const code : {"137", "152", "153"}) submit(code, std::string("exit ") + code + "\n");
+  submit("killed", "kill -9 $$\n");
+  shell(std::string(run_class) + "--json j.json");
+  EXPECT_EQ(verdicts(),
+            (Verdicts{{"137", "crashed"}, {"152", "crashed"}, {"153", "crashed"}, {"killed", "crashed"}}));
+  for (const char* const code : {"137", "152", "153"}) {
+    const Json told = json();
+    const Json& pictures = told.at("pictures");
+    const auto at = std::find_if(pictures.begin(), pictures.end(),
+                                 [&](const Json& picture) { return picture["submission"] == code; });
+    EXPECT_TRUE(contains((*at)["message"], std::string("or exit code ") + code)) << *at;
+  }
+  EXPECT_TRUE(contains(json()["pictures"][3]["message"], "signal 9")) << json();
+}
+
 /// The script that runs the submissions lies beside them and beside the results.
 class JudgeBesideResults : public JudgeClassRuns {
  protected:
