@@ -9,12 +9,6 @@ namespace {
 constexpr double units_of_shading = 20;
 constexpr double units_of_shape = 50;
 
-double rays_of(const RayNode& tree) {
-  double rays = 1;
-  for (const RayNode& child : tree.children) rays += rays_of(child);
-  return rays;
-}
-
 Colour rounded(const Rgbd& c) {
   return {static_cast<float>(c.x), static_cast<float>(c.y), static_cast<float>(c.z)};
 }
@@ -60,7 +54,8 @@ std::optional<Colour> PixelTracer::at(const AttributedPixel& p) const {
 RayNode PixelTracer::tree_of(const AttributedPixel& p) const {
   recording_.raycast(p.x, p.y);
   RayNode tree = recorder_.take();
-  work_.spend(units_of_ray_ * rays_of(tree) * static_cast<double>(1 + scene_.lights.size()));
+  work_.spend(units_of_ray_ * static_cast<double>(rays_of(tree)) *
+              static_cast<double>(1 + scene_.lights.size()));
   return tree;
 }
 

@@ -1,6 +1,8 @@
 #include "references/ray_tree.hpp"
 
 #include <algorithm>
+#include <bit>
+#include <cstdint>
 #include <utility>
 
 namespace plumb::references {
@@ -47,6 +49,32 @@ RayNode Recorder::take() const {
 
 bool is_cut(const RayNode& tree) {
   return tree.is_cut || std::any_of(tree.children.begin(), tree.children.end(), &is_cut);
+}
+
+std::size_t rays_of(const RayNode& tree) {
+  std::size_t rays = 1;
+  for (const RayNode& child : tree.children) rays += rays_of(child);
+  return rays;
+}
+
+std::uint64_t course_of(const RayNode& tree) {
+  std::uint64_t course = 0;
+  // Knuth's factor for 64 bits (MMIX), so that every number counts at its place.
+  const auto add = [&](std::uint64_t number) {
+    course = (course ^ number) * 6364136223846793005U + 1442695040888963407U;
+  };
+  add(static_cast<std::uint64_t>(tree.kind));
+  add(tree.is_at_depth_limit ? 1 : 0);
+  if (tree.meeting) {
+    add(tree.meeting->surface.instance);
+    add(static_cast<std::uint64_t>(tree.meeting->surface.face));
+    for (const auto& light : tree.meeting->lights) {
+      add(light.counts ? 1 : 0);
+      for (int c = 0; c < 3; ++c) add(std::bit_cast<std::uint32_t>(static_cast<float>(light.delta[c])));
+    }
+  }
+  for (const RayNode& child : tree.children) add(course_of(child));
+  return course;
 }
 
 TreeTracer::TreeTracer(const Scene& scene, const Camera& camera, int width, int height,

@@ -1,6 +1,7 @@
 // All that happens to one pixel: its rays, what they meet, and what each light does there.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -66,6 +67,12 @@ class Recorder {
 
 /// Whether rays of the tree were not traced.
 bool is_cut(const RayNode& tree);
+
+std::size_t rays_of(const RayNode& tree);
+
+/// Which surfaces are met and which lights are seen, in one number: trees that have the same differ in
+/// lengths and colours alone, and their pixels lie on no edge between them.
+std::uint64_t course_of(const RayNode& tree);
 
 /// Traces ray trees of the pixels of one picture.
 class TreeTracer {

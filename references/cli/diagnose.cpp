@@ -97,7 +97,7 @@ void print_remaining(const references::Diagnosis& d) {
   const double share = 100.0 * static_cast<double>(d.unexplained_pixels) / static_cast<double>(d.pixels);
   const char* const with = d.verdict == references::PictureVerdict::faults ? " with them" : "";
   std::printf("remaining%s: %zu pixels (%.2f %%) are not right, %zu of them more than 2/255 away, RMS %.2g\n",
-              with, d.unexplained_pixels, share, std::min(d.pixels_over, d.unexplained_pixels), d.rms);
+              with, d.unexplained_pixels, share, d.pixels_over, d.rms);
   if (d.non_finite > 0) std::printf("not finite: %zu pixels\n", d.non_finite);
 }
 
@@ -239,7 +239,7 @@ Command add_diagnose(CLI::App& plumb) {
       ->capture_default_str();
   app->add_option("--tolerance", options->tolerance,
                   "what a colour of a picture of floats may be off by, relative above 1 (without it 1e-6, or "
-                  "up to 1e-5 where float32 is off by more); by how much more, in shares of 1, the levels of "
+                  "what float32 is off by there, measured); by how much more, in shares of 1, the levels of "
                   "integers may be off (without it by none)")
       ->type_name("T")
       ->check(CLI::Range(0.0, 1.0));

@@ -26,12 +26,11 @@ constexpr double enough_that_tells = 0.5;
 /// picture, was taken for faults of formulas that have nothing to do with it.
 constexpr double most_apart = 0.05;
 
-void set_remaining(const std::vector<float>& differences, Diagnosis& diagnosis) {
+void set_remaining(const std::vector<float>& differences, const std::vector<std::size_t>& pixels,
+                   Diagnosis& diagnosis) {
   double squares = 0;
-  for (const float d : differences) {
-    squares += double{d} * d;
-    diagnosis.pixels_over += d <= close ? 0 : 1;
-  }
+  for (const float d : differences) squares += double{d} * d;
+  for (const std::size_t pixel : pixels) diagnosis.pixels_over += differences[pixel] <= close ? 0 : 1;
   diagnosis.rms = std::sqrt(squares / static_cast<double>(differences.size())) / 255;
 }
 
@@ -149,7 +148,7 @@ class Diagnostician {
     diagnosis_.encoding = remains.encoding;
     diagnosis_.edges = remains.edges;
     diagnosis_.unexplained_pixels = remains.pixels.size();
-    set_remaining(evidence_.differences({set, remains.encoding, 0, 0}), diagnosis_);
+    set_remaining(evidence_.differences({set, remains.encoding, 0, 0}), remains.pixels, diagnosis_);
   }
 
   /// Whether the fit's faults explain enough; then they are told.

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "references/ray_tree.hpp"
 #include "references/renderer.hpp"
 
 namespace plumb::references {
@@ -118,9 +119,10 @@ Evidence::Evidence(const Scene& scene, const Camera& camera, const textbook::Ren
                                                        static_cast<double>(pixels_of_picture()))));
   right_ = render(Renderer::engine, scene_, camera_, job_);
   if (known.read.is_float && tolerance)
-    colour_errors_.assign(pixels_of_picture(), static_cast<float>(*tolerance));
+    errors_.allowed.assign(pixels_of_picture(), static_cast<float>(*tolerance));
   else
-    colour_errors_ = float_errors(scene_, camera_, job_, right_);
+    errors_ = float_errors(scene_, camera_, job_, right_);
+  if (errors_.measured.empty()) errors_.measured = errors_.allowed;
   allowed_levels_ = known.read.is_float ? 0 : levels * tolerance.value_or(0);
 }
 
@@ -173,6 +175,21 @@ std::vector<float> Evidence::moved_colours(int number, const FaultSet& set,
   } catch (const std::runtime_error&) {
     return std::vector<float>(3 * places.size(), std::numeric_limits<float>::infinity());
   }
+}
+
+std::vector<std::optional<std::uint64_t>> Evidence::moved_courses(int number,
+                                                                  const std::vector<PixelPlace>& places,
+                                                                  Work& work) const {
+  const Scene moved = moves().moved(number);
+  const TreeTracer tracer(moved, camera_, job_.width, job_.height, job_.options);
+  const double units_of_ray = cost_of_ray(moved.shapes.size()) * static_cast<double>(1 + moved.lights.size());
+  std::vector<std::optional<std::uint64_t>> courses;
+  for (const auto& [x, y] : places) {
+    const RayNode tree = tracer.tree_of(x, y);
+    work.spend(units_of_ray * static_cast<double>(rays_of(tree)));
+    courses.push_back(is_cut(tree) ? std::nullopt : std::optional(course_of(tree)));
+  }
+  return courses;
 }
 
 bool Evidence::is_over(double share) const { return work_.spent() > share * most_units_in_all; }

@@ -1,6 +1,7 @@
 // The picture that is to be explained, and how well a set of faults explains it.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -47,7 +48,9 @@ class Evidence {
 
   /// What the right colour of a pixel may be off by, relative above 1, and what a level of integers may be
   /// off by beside.
-  float colour_error(std::size_t pixel) const { return colour_errors_[pixel]; }
+  float colour_error(std::size_t pixel) const { return errors_.allowed[pixel]; }
+  /// The same without what is allowed where nothing was measured: for curves that are steep at 0.
+  float measured_error(std::size_t pixel) const { return errors_.measured[pixel]; }
   double allowed_levels() const { return allowed_levels_; }
   /// Whether the picture has numbers at a pixel.
   bool is_finite(std::size_t pixel) const;
@@ -58,6 +61,10 @@ class Evidence {
   /// As colours(), of the scene as FloatMoves moves it.
   std::vector<float> moved_colours(int number, const FaultSet& set, const std::vector<PixelPlace>& places,
                                    Work& work) const;
+  /// Of the right tracer in such a scene, what its rays meet; see course_of(). Nothing where a pixel has too
+  /// many.
+  std::vector<std::optional<std::uint64_t>> moved_courses(int number, const std::vector<PixelPlace>& places,
+                                                          Work& work) const;
   /// The right picture of such a scene, by the engine in float32.
   Image moved_in_float(int number) const;
 
@@ -112,7 +119,7 @@ class Evidence {
   double units_of_pixel_;
   std::vector<PixelPlace> survey_;
   Image right_;
-  std::vector<float> colour_errors_;
+  FloatErrors errors_;
   double allowed_levels_ = 0;
   mutable FaultSet set_of_other_;
   mutable Image other_;

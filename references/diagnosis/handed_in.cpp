@@ -16,7 +16,8 @@ std::string text_of(const Window& w) {
 }
 
 bool has_colours(const std::vector<std::string>& names) {
-  if (names.size() < 3) return true;  // the first is grey, whatever its name
+  if (names.empty()) return true;
+  if (names.size() < 3) return channel_role(names.front()) == "Y";
   constexpr std::array<const char*, 3> roles{"R", "G", "B"};
   for (std::size_t c = 0; c < roles.size(); ++c) {
     if (channel_role(names[c]) != roles.at(c)) return false;
@@ -34,7 +35,7 @@ std::optional<std::string> complaint_about_contents(const PixelRows& rows) {
   if (!has_colours(c.channels)) {
     std::string names;
     for (const std::string& name : c.channels) names += " " + name;
-    return "found the channels" + names + ", expected R G B";
+    return "found the channels" + names + ", expected R G B, or Y for grey";
   }
   if (std::any_of(c.are_whole.begin(), c.are_whole.end(), [](bool is_whole) { return is_whole; }))
     return "found whole numbers of 32 bits, of which nothing says what is white; expected 8 or 16 bits, or "

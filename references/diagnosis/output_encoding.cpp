@@ -11,7 +11,7 @@ namespace {
 constexpr float most = 255;
 /// because a curve and a product in float32 lose less than ten units in the last place, 6e-8 each
 constexpr float lost_by_encoding = 1e-6F;
-/// because 255.99 is as common a factor as 256
+/// because 255.99 is as common a factor as 256, in 255ths of the step of 256 levels
 constexpr float lost_by_factor = 0.011F;
 
 float reduced_to_8_bits(float level, Reduced reduced) {
@@ -26,6 +26,11 @@ float reduced_to_8_bits(float level, Reduced reduced) {
       break;
   }
   return level;
+}
+
+/// What the exponent of a value in the units of a file, 255 for 1, stands for.
+float power_of_two_below(float value) {
+  return value > 0 && std::isfinite(value) ? most * std::exp2(std::floor(std::log2(value / most))) : 0;
 }
 
 float curved(float c, Curve curve) {
@@ -55,17 +60,20 @@ float OutputEncoding::slack(float level, const float* seen, std::size_t channel)
   const float lost_by_curve = lost_by_encoding * std::max(most, std::abs(level));
   if (is_float) {
     const float held = shares_exponent ? *std::max_element(seen, seen + 3) : std::abs(seen[channel]);
-    return lost_by_curve + lost * held;
+    return lost_by_curve + (shares_exponent ? lost * power_of_two_below(held) : lost * held);
   }
-  const bool is_in_parts = has_equal_parts || has_upper_bits.at(channel) || reduced == Reduced::equal_parts;
-  return lost_by_curve + (is_in_parts ? lost_by_factor : 0);
+  const bool is_by_8_bits = has_upper_bits.at(channel) || reduced == Reduced::equal_parts;
+  if (is_by_8_bits) return lost_by_curve + lost_by_factor;
+  const auto steps = static_cast<float>(levels.at(channel) - 1);
+  return lost_by_curve + (has_equal_parts ? lost_by_factor * (most / steps) : 0);
 }
 
 std::string OutputEncoding::depth_in_words() const {
   if (is_float) return "floats";
   const std::string how = rounds ? "rounded to " : "truncated to ";
   if (has_256_levels()) return how + "8 bits" + (has_equal_parts ? " as 256 equal parts" : "");
-  if (levels == std::array{65536, 65536, 65536}) return how + "16 bits";
+  if (levels == std::array{65536, 65536, 65536})
+    return how + "16 bits" + (has_equal_parts ? " as 65536 equal parts" : "");
   std::string text = std::to_string(levels[0]);
   if (levels[1] != levels[0] || levels[2] != levels[0])
     text += ", " + std::to_string(levels[1]) + " and " + std::to_string(levels[2]);

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <optional>
 #include <tuple>
 
 #include "references/diagnosis/float_noise.hpp"
@@ -61,9 +63,19 @@ class Holding {
   }
 
   float encoded(float colour, float sign, std::size_t pixel, std::size_t channel) const {
-    const float error = evidence_.colour_error(pixel) * std::max(1.0F, std::abs(colour));
-    const float level = encoding_.unrounded(colour + sign * error);
+    const float level = encoding_.unrounded(colour + sign * error_of(colour, pixel));
     return encoding_.rounded(level + sign * encoding_.slack(level, evidence_.seen(pixel), channel), channel);
+  }
+
+  /// A curve makes much of little near 0: there an error is what was measured, or the last digits of a
+  /// colour.
+  float error_of(float colour, std::size_t pixel) const {
+    constexpr float last_digits = 0x1p-20F;  // because a sum of some terms in float32 is exact but for these
+    const float scale = std::max(1.0F, std::abs(colour));
+    const float allowed = evidence_.colour_error(pixel) * scale;
+    if (encoding_.curve == Curve::linear) return allowed;
+    return std::min(allowed,
+                    std::max(evidence_.measured_error(pixel) * scale, last_digits * std::abs(colour)));
   }
 
   const Evidence& evidence_;
@@ -124,10 +136,18 @@ OutputEncoding best_encoding(const Evidence& evidence, const Image& image) {
   return best;
 }
 
+struct Outcome {
+  std::array<float, channels> colour;
+  bool is_by_small_move;
+};
+
 /// A pixel that is tried, and the colours that moved scenes gave it.
 struct Suspect {
   std::size_t pixel;
-  std::vector<std::array<float, channels>> outcomes;
+  std::vector<Outcome> outcomes;
+  std::optional<std::uint64_t> course;  ///< of its rays where nothing is moved
+  bool is_edge = false;                 ///< they may take another
+  bool is_tried = false;                ///< as an edge: the outcomes so far are no proof
   bool is_proven = false;
 };
 
@@ -153,7 +173,7 @@ class Proof {
     for (const Suspect& s : all) {
       if (!s.is_proven) continue;
       remains.pixels.erase(std::lower_bound(remains.pixels.begin(), remains.pixels.end(), s.pixel));
-      ++remains.edges;
+      remains.edges += s.is_edge ? 1 : 0;
     }
   }
 
@@ -161,7 +181,7 @@ class Proof {
   std::vector<Suspect> suspects(const std::vector<std::size_t>& pixels) const {
     std::vector<Suspect> all;
     for (const std::size_t pixel : pixels) {
-      if (evidence_.is_finite(pixel)) all.push_back({pixel, {}, false});
+      if (evidence_.is_finite(pixel)) all.push_back({pixel, {}, {}});
     }
     return all;
   }
@@ -189,13 +209,16 @@ class Proof {
   void try_float(std::vector<Suspect>& all) const {
     constexpr int pictures = 6;
     constexpr std::ptrdiff_t few = 64;
+    const float* const right = evidence_.picture_with({}).rgb.data();
     for (int number = 0; number < pictures; ++number) {
       const auto open = std::count_if(all.begin(), all.end(), [](const Suspect& s) { return !s.is_proven; });
       if (open == 0 || open > few) return;
       const Image image = evidence_.moved_in_float(number);
       for (Suspect& s : all) {
-        const float* const colour = &image.rgb[channels * s.pixel];
-        if (!s.is_proven) add({colour[0], colour[1], colour[2]}, s);
+        if (s.is_proven) continue;
+        const auto outcome = colour_at(image.rgb.data(), s.pixel);
+        s.is_edge |= !are_of_one_surface(outcome, colour_at(right, s.pixel));
+        add(outcome, number, s);
       }
     }
   }
@@ -206,25 +229,55 @@ class Proof {
       if (!s.is_proven) places.push_back(evidence_.place_of(s.pixel));
     }
     const std::vector<float> colours = evidence_.moved_colours(number, set_, places, work);
-    const float* colour = colours.data();
+    const Courses courses = courses_of(number, places, work);
+    std::size_t place = 0;
     for (Suspect& s : all) {
       if (s.is_proven) continue;
-      add({colour[0], colour[1], colour[2]}, s);
-      colour += channels;
+      note(courses[place], number, s);
+      add(colour_at(colours.data(), place++), number, s);
     }
   }
 
-  void add(const std::array<float, channels>& outcome, Suspect& s) const {
-    s.is_proven = holding_.holds(outcome.data(), outcome.data(), s.pixel);
-    for (const auto& other : s.outcomes) {
-      if (s.is_proven) return;
-      if (!are_of_one_surface(outcome, other)) continue;
-      std::array<float, channels> low{}, high{};
-      for (std::size_t c = 0; c < channels; ++c)
-        std::tie(low[c], high[c]) = std::minmax(outcome[c], other[c]);
-      s.is_proven = holding_.holds(low.data(), high.data(), s.pixel);
+  using Courses = std::vector<std::optional<std::uint64_t>>;
+
+  /// With faults there is no record of what rays meet.
+  Courses courses_of(int number, const std::vector<PixelPlace>& places, Work& work) const {
+    return set_.empty() ? evidence_.moved_courses(number, places, work) : Courses(places.size());
+  }
+
+  void note(const std::optional<std::uint64_t>& course, int number, Suspect& s) const {
+    if (number == 0) s.course = course;
+    s.is_edge |= !set_.empty() || (course && s.course && *course != *s.course);
+  }
+
+  static std::array<float, channels> colour_at(const float* colours, std::size_t place) {
+    return {colours[channels * place], colours[channels * place + 1], colours[channels * place + 2]};
+  }
+
+  /// Of an edge every outcome may be what is seen. Elsewhere only the least moves say what float32 may give:
+  /// a colour that is steep there, as on a sphere that is seen at a grazing angle.
+  void add(const std::array<float, channels>& outcome, int number, Suspect& s) const {
+    s.outcomes.push_back({outcome, FloatMoves::is_small(number)});
+    const std::size_t last = s.outcomes.size() - 1;
+    const std::size_t first = s.is_edge && !s.is_tried ? 0 : last;  // what was left out before is tried now
+    s.is_tried = s.is_edge;
+    for (std::size_t i = 0; i <= last && !s.is_proven; ++i) {
+      for (std::size_t j = std::max(i, first); j <= last && !s.is_proven; ++j) {
+        const Outcome &a = s.outcomes[i], &b = s.outcomes[j];
+        if (s.is_edge || (a.is_by_small_move && b.is_by_small_move))
+          s.is_proven = is_between(a.colour, b.colour, s.pixel);
+      }
     }
-    s.outcomes.push_back(outcome);
+  }
+
+  /// Whether the pixel holds one of two outcomes, or what lies between them where they are of one surface.
+  bool is_between(const std::array<float, channels>& a, const std::array<float, channels>& b,
+                  std::size_t pixel) const {
+    if (holding_.holds(a.data(), a.data(), pixel) || holding_.holds(b.data(), b.data(), pixel)) return true;
+    if (!are_of_one_surface(a, b)) return false;
+    std::array<float, channels> low{}, high{};
+    for (std::size_t c = 0; c < channels; ++c) std::tie(low[c], high[c]) = std::minmax(a[c], b[c]);
+    return holding_.holds(low.data(), high.data(), pixel);
   }
 
   const Evidence& evidence_;

@@ -7,7 +7,7 @@
 
 namespace plumb::references {
 
-/// Every pixel is within what its encoding can hold, proven to lie on an edge, or remains.
+/// Every pixel is within what float32 and its encoding can hold, proven to lie on an edge, or remains.
 struct Remains {
   OutputEncoding encoding;
   std::vector<std::size_t> pixels;  ///< that remain, row by row
@@ -18,8 +18,9 @@ struct Remains {
 ///
 /// A pixel is within what its encoding holds when a colour that is off by no more than float32 makes it, to
 /// the last level. It is proven an edge when the scene, moved by what float32 rounds (see FloatMoves) and
-/// traced again with the same faults, gives such a colour; or, rendered in float32 by the engine. Colours
-/// that are not finite are never either.
+/// traced again, sends its rays to another surface or hides another light, and one of the moved scenes, with
+/// the same faults, gives such a colour; or when moves of a tenth of that do, or the engine in float32.
+/// Colours that are not finite are never either.
 Remains remains_of(const Evidence& evidence, const FaultSet& set);
 
 /// The same without a proof of edges, at these pixels: whether each is within what the encoding holds.

@@ -3,8 +3,11 @@
 #include <cmath>
 #include <functional>
 #include <random>
+#include <tuple>
 
+#include "references/comparison.hpp"
 #include "references/diagnosis/diagnosis.hpp"
+#include "references/diagnosis/float_noise.hpp"
 #include "references/renderer.hpp"
 #include "tests/support/random_scene.hpp"
 #include "tests/support/run.hpp"
@@ -146,6 +149,111 @@ TEST(RightPicture, OfAnotherNumberIsNot) {
     expect_not_right("phong.sdf", "1 1 1 1\n", "1 1 1 1.01\n", formats()[format]);
   }
   expect_not_right("phong.sdf", "ambient 1 1 1", "ambient 1.0003 1 1", formats()[6]);
+}
+
+/// Where a scene is smooth, what is a little off is no edge, however little.
+TEST(RightPicture, OfASmoothDifferenceHasNoEdges) {
+  const std::string text = text_of("phong.sdf");
+  const std::tuple<const char*, const char*, std::size_t> changes[] = {
+      {"0.7 40\n", "0.7 40.1\n", 0},
+      {"-2.3 4.7 3.1", "-2.303 4.7 3.1", 1},
+      {"-2.3 4.7 3.1", "-2.3 4.7003 3.1", 6}};
+  for (const auto& [from, to, format] : changes) {
+    const std::size_t at = text.find(from);
+    ASSERT_NE(at, std::string::npos) << from;
+    std::string other = text;
+    other.replace(at, std::string(from).size(), to);
+    const Diagnosis found = diagnosed(scene_of(text), written(rendered(scene_of(other)), formats()[format]));
+    EXPECT_NE(found.verdict, PictureVerdict::right) << to;
+    EXPECT_EQ(found.edges, 0U) << to;
+  }
+}
+
+/// Of three pixels across, the middle one is not on an edge.
+TEST(RightPicture, HasItsThinShapes) {
+  const std::string rest =
+      "define material w 1 0.2 0.2 0 0 0 0 0 0 1\ndefine material b 0.2 0.5 0.9 0 0 0 0 0 0 1\n"
+      "define shape sphere ball 0.1 0 -60 0.05 b\ndefine light l 0 50 0 1 1 1 1\nambient 1 1 1\n"
+      "background 0.1 0.1 0.1\ndefine camera c 0.2\nrender c p.ppm 160 120\n";
+  Subject subject = scene_of(rest + "define shape box post -0.002 -2 -60 0.002 2 -59.999 w\n");
+  Subject without = scene_of(rest);
+  subject.job = without.job = job_of(160, 120);
+  for (const std::size_t format : {0U, 6U}) {
+    const Diagnosis found = diagnosed(subject, written(rendered(without), formats()[format]));
+    EXPECT_NE(found.verdict, PictureVerdict::right) << format;
+    EXPECT_GE(found.unexplained_pixels, 120U) << format;
+  }
+}
+
+/// A pixel that float32 takes for another surface says nothing of its neighbours.
+TEST(RightPicture, IsAsNearBesideAJump) {
+  Subject subject = scene_of(text_of("shadow.sdf"));
+  subject.job = job_of(160, 120);
+  const Image in_double = rendered(subject);
+  const Image in_float = rendered(subject, Renderer::engine, RealType::float32);
+  const FloatErrors errors =
+      float_errors(subject.scene, subject.scene.cameras.front(), subject.job, in_double);
+  for (std::size_t i = 0; i < errors.allowed.size(); ++i) {
+    EXPECT_GE(errors.allowed[i], 1e-6F);
+    EXPECT_LE(errors.allowed[i], 1e-4F) << "pixel " << i;
+  }
+  EXPECT_FALSE(pixels_over(in_double, in_float, 1e-3).empty()) << "no pixel jumps, which this is about";
+}
+
+/// A curve is steepest at 0, and what is exactly 0 is no more than that.
+TEST(RightPicture, IsBlackUnderACurve) {
+  const Subject subject = scene_of(text_of("composite.sdf"));
+  const Image image = rendered(subject);
+  for (const Format& format : formats()) {
+    if (format.sample == Sample::half) continue;
+    ImageFile file = written(image, format);
+    ASSERT_EQ(image.rgb[0], 0.0F);
+    const bool is_8_bits = format.sample == Sample::bits8;
+    file.values[0] = is_8_bits ? 4.0F / 255 : 118.0F / 65535;
+    EXPECT_NE(diagnosed(subject, file).verdict, PictureVerdict::right) << format.name;
+  }
+}
+
+/// By so many steps of a format, each value one way or the other.
+ImageFile with_noise(ImageFile file, float step) {
+  std::mt19937 random(1);
+  for (float& value : file.values) {
+    if (value > 0.1F && value < 0.9F) value += (random() % 2 == 0 ? step : -step);
+  }
+  return file;
+}
+
+TEST(RightPicture, OfSixteenBitsIsRightToTheStep) {
+  const Subject subject = scene_of(text_of("combined-still-life.sdf"));
+  const Format truncated_16{"16 bits", Sample::bits16, [](float c) { return truncated(c, 65535); }};
+  const ImageFile right = written(rendered(subject), truncated_16);
+  EXPECT_EQ(diagnosed(subject, right).verdict, PictureVerdict::right);
+  const ImageFile equal_parts = written(
+      rendered(subject), {"65536 equal parts", Sample::bits16,
+                          [](float c) { return std::min(std::floor(held(c) * 65536), 65535.0F) / 65535; }});
+  EXPECT_EQ(diagnosed(subject, equal_parts).verdict, PictureVerdict::right);
+  for (const float steps : {1.0F, 2.0F})
+    EXPECT_NE(diagnosed(subject, with_noise(right, steps / 65535)).verdict, PictureVerdict::right) << steps;
+}
+
+/// Eight bits for each channel, and an exponent for all.
+TEST(RightPicture, OfASharedExponentIsRightToTheStep) {
+  const Subject subject = scene_of(text_of("combined-still-life.sdf"));
+  ImageFile right = written(rendered(subject), formats()[6]);
+  ImageFile wrong = right;
+  for (std::size_t i = 0; i < right.values.size(); i += 3) {
+    int exponent = 0;
+    std::frexp(std::max({right.values[i], right.values[i + 1], right.values[i + 2]}), &exponent);
+    const float step = std::ldexp(1.0F, exponent - 8);
+    for (std::size_t c = i; c < i + 3; ++c) {
+      right.values[c] = std::floor(right.values[c] / step) * step;
+      wrong.values[c] = std::max(0.0F, right.values[c] - step);
+    }
+  }
+  EXPECT_EQ(diagnosed(subject, right).verdict, PictureVerdict::right);
+  const Diagnosis found = diagnosed(subject, wrong);
+  EXPECT_NE(found.verdict, PictureVerdict::right);
+  EXPECT_GE(found.unexplained_pixels, found.pixels / 2);
 }
 
 TEST(RightPicture, ApartFromAShapeNamesIt) {

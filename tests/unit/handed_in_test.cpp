@@ -28,7 +28,11 @@ TEST(HandedIn, ColoursAndGreyArePictures) {
 }
 
 TEST(HandedIn, OtherChannelsAreNoColours) {
-  EXPECT_EQ(complaint_about_contents(picture({"X", "Y", "Z"})), "found the channels X Y Z, expected R G B");
+  EXPECT_EQ(complaint_about_contents(picture({"X", "Y", "Z"})),
+            "found the channels X Y Z, expected R G B, or Y for grey");
+  for (const std::vector<std::string>& channels :
+       {std::vector<std::string>{"Z"}, {"A"}, {"G"}, {"id"}, {"R", "G"}, {"A", "Y"}})
+    EXPECT_NE(complaint_about_contents(picture(channels)), std::nullopt) << channels[0];
 }
 
 TEST(HandedIn, WhatIsBesideTheColoursIsSaid) {
