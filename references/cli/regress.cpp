@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <exception>
 #include <memory>
 #include <optional>
 #include <sstream>
@@ -151,12 +152,29 @@ std::string to_junit(const Options& options, const std::vector<RegressedScene>& 
   return references::junit_xml(options.directory, cases);
 }
 
-/// An error that ends all stands in the file, too: there is no result of an earlier run in its place.
+/// Each that is asked for, though the other cannot be written. Throws what the first of them throws.
+void write_both(const Options& options, const Json& json, const std::string& junit) {
+  std::exception_ptr trouble;
+  try {
+    if (!options.junit.empty()) write_file(options.junit, junit);
+  } catch (const std::exception&) {
+    trouble = std::current_exception();
+  }
+  if (!options.json.empty()) write_json(options.json, json);
+  if (trouble) std::rethrow_exception(trouble);
+}
+
+/// An error that ends all stands in the files, too: there is no result of an earlier run in their place.
 void write_trouble(const Options& options, const std::string& message) {
-  if (options.junit.empty()) return;
-  write_file(options.junit, references::junit_xml(options.directory,
-                                                  {{"plumb regress", references::JunitCase::Outcome::error,
-                                                    message.substr(0, message.find('\n')), message, 0}}));
+  const references::JunitCase junit{"plumb regress", references::JunitCase::Outcome::error,
+                                    message.substr(0, message.find('\n')), message, 0};
+  const Json json{
+      {"tool", "plumb"}, {"version", PLUMB_VERSION}, {"error", message}, {"scenes", Json::array()}};
+  try {
+    write_both(options, json, references::junit_xml(options.directory, {junit}));
+  } catch (const std::exception& error) {
+    warn(error.what());
+  }
 }
 
 /// What asks plumb to render otherwise means nothing to another renderer.
@@ -202,12 +220,11 @@ int check(const Options& options) {
   std::vector<RegressedScene> scenes;
   try {
     scenes = run(options, table);
-  } catch (const std::runtime_error& error) {
+  } catch (const std::exception& error) {
     write_trouble(options, error.what());
     throw;
   }
-  if (!options.json.empty()) write_json(options.json, to_json(options, scenes));
-  if (!options.junit.empty()) write_file(options.junit, to_junit(options, scenes));
+  write_both(options, to_json(options, scenes), to_junit(options, scenes));
   const auto differ = count(scenes, Status::differ);
   const auto trouble = count(scenes, Status::error);
   if (table) {

@@ -506,6 +506,29 @@ TEST_F(Regress, JunitTellsThatTheRecordsAreDamaged) {
   EXPECT_TRUE(contains(result.output, "baselines.json: is damaged")) << result.output;
 }
 
+TEST_F(Regress, JsonTellsThatTheBoundsAreDamaged) {
+  approve("ball");
+  ASSERT_EQ(regress({"--json", "j.json", "--junit", "junit.xml"}).exit_code, 0);
+  workplace_.file("scenes/baselines/bounds.json", "[]");
+  expect_trouble(regress({"--json", "j.json", "--junit", "junit.xml"}), {"bounds.json"});
+  const Json told = Json::parse(read_file(workplace_.path("j.json")));
+  EXPECT_TRUE(contains(told.at("error"), "bounds.json")) << told;
+  EXPECT_EQ(told.at("tool"), "plumb");
+  EXPECT_EQ(told.at("version"), PLUMB_VERSION);
+  EXPECT_EQ(told.at("scenes"), Json::array()) << "those of the run before are gone";
+}
+
+TEST_F(Regress, OneFileThatCannotBeWrittenCostsNotTheOther) {
+  approve("ball");
+  std::filesystem::create_directory(workplace_.path("full"));
+  ASSERT_EQ(regress({"--json", "j.json", "--junit", "junit.xml"}).exit_code, 0);
+  workplace_.file("scenes/ball.sdf", moved_ball());
+  expect_trouble(regress({"--json", "full", "--junit", "junit.xml"}), {"full"});
+  EXPECT_TRUE(contains(read_file(workplace_.path("junit.xml")), "failures=\"1\""));
+  expect_trouble(regress({"--json", "j.json", "--junit", "full"}), {"full"});
+  EXPECT_EQ(Json::parse(read_file(workplace_.path("j.json"))).at("scenes").at(0).at("status"), "differ");
+}
+
 TEST_F(Regress, JunitTellsEachOutcomeOfHostileNames) {
   const std::string hostile = "a & <b> \"c\" 'd'";
   workplace_.file("scenes/" + hostile + ".sdf", std::string(ball_scene));
