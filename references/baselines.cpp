@@ -8,6 +8,7 @@
 
 #include "references/digest.hpp"
 #include "references/directory_lock.hpp"
+#include "references/held_signals.hpp"
 #include "tracer/image/files.hpp"
 #include "tracer/image/io.hpp"
 
@@ -177,7 +178,8 @@ void BaselineUpdate::commit() {
     return std::find(gone_.begin(), gone_.end(), b.name) != gone_.end();
   });
   write_file(aside_.path() + records_name, text_of(entries, directory_));
-  // All that can fail for want of space has happened; the rest is renames.
+  // All that can fail for want of space has happened; the rest is renames, and no signal comes between them.
+  const HeldSignals held;
   for (const Baseline& record : added_) {
     const std::string file = "/" + record.name + ".exr";
     fs::create_directories(fs::path(directory_ + file).parent_path());

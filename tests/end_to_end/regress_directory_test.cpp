@@ -1,6 +1,7 @@
 // `plumb regress`: scenes in directories below, variants, what an update changes, bounds beside the images.
 #include <nlohmann/json.hpp>
 
+#include "references/baselines.hpp"
 #include "tests/support/end_to_end.hpp"
 
 namespace plumb::tests {
@@ -208,6 +209,21 @@ TEST_F(Gate, AVariantHasANameThatIsNoDirectorys) {
   update({"--variant", "arm", "--update", "ball", "--size", "8x8"});
   add("arm/x");
   expect_trouble(regress(), {"'arm'", "another name"});
+}
+
+// --- signals ---
+
+TEST_F(Gate, ASignalWaitsUntilImagesAndRecordsAreOfOneUpdate) {
+  constexpr std::size_t many = 500;
+  for (std::size_t i = 0; i < many; ++i) add("s" + std::to_string(i));
+  const auto told = run_shell(
+      "\"$0\" regress scenes --update scenes/s*.sdf --because x --size 4x4 & "
+      "until [ -e scenes/baselines/s0.exr ]; do :; done; kill -TERM $!; wait $!; echo code $?",
+      workplace_.directory());
+  EXPECT_TRUE(contains(told.output, "code 143")) << told.output;
+  const references::Baselines baselines(workplace_.path("scenes/baselines"));
+  EXPECT_EQ(baselines.all().size(), many);
+  EXPECT_EQ(baselines.names().size(), many);
 }
 
 // --- bounds ---------------------------------------------------------------------------------------
