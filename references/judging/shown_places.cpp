@@ -119,12 +119,15 @@ class Plan {
 
  private:
   /// Of a directory that is closed for who root's programs become the entries are shown, in one of the
-  /// sandbox's; links in it may be a student's, and nothing is shown because they lead there.
+  /// sandbox's; links in it may be a student's, and nothing is shown because they lead there. What of it is
+  /// hidden already stays so.
   void show_real(const fs::path& real) {
     std::error_code none;
     if (!is_closed(real)) return set(real, PlaceKind::shown);
     set(real, PlaceKind::hidden);
     for (const auto& entry : fs::directory_iterator(real, none)) {
+      const auto known = places_.find(entry.path());
+      if (known != places_.end() && known->second.kind == PlaceKind::hidden) continue;
       if (entry.is_symlink(none))
         places_.try_emplace(entry.path(), Entry{PlaceKind::link, fs::read_symlink(entry, none).string()});
       else

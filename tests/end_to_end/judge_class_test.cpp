@@ -113,7 +113,7 @@ class JudgeClassRuns : public JudgeClass {
   }
   /// A shell script; $1 is the scene, $2 the image.
   void submit(const std::string& name, const std::string& text) const {
-    fs::permissions(workplace_.file("class/" + name, "#!/bin/sh\n" + text), fs::perms(0755));
+    fs::permissions(workplace_.file(place_ + "class/" + name, "#!/bin/sh\n" + text), fs::perms(0755));
   }
   /// One that takes this long to hand in the right picture, which it holds in octal.
   void submit_slow(const std::string& name, const std::string& seconds) const {
@@ -125,6 +125,7 @@ class JudgeClassRuns : public JudgeClass {
     }
     submit(name, "sleep " + seconds + "\nprintf '" + octal + "' > \"$2\"\n");
   }
+  std::string place_;  ///< of the class
   static constexpr const char* run_class =
       "$JUDGE --renderer '{submission} {scene} {image}' --submissions class --timeout 100 ";
 };
@@ -179,26 +180,26 @@ TEST_F(JudgeClassRuns, ANeighbourThatTakesAllCoresTakesNoTime) {
   const std::string script = read_file(workplace_.path("class/b-right"));
   workplace_.file("class/b-right", replaced(script, "sleep 0\n", compute));
   const auto told = shell(
-      "$JUDGE --jobs 2 --renderer '{submission} {scene} {image}' --submissions class --timeout 5 --cpu 10000 "
+      "$0 judge --scenes scenes --jobs 2 --renderer '{submission} {scene} {image}' --submissions class "
+      "--timeout 5 --cpu 10000 "
       "--processes 10000 --json j.json");
   EXPECT_EQ(verdicts(), (Verdicts{{"a-hog", "timed-out"}, {"b-right", "right"}, {"c-hog", "timed-out"}}))
       << told.output;
 }
 
 TEST_F(JudgeClassRuns, AnExitCodeIsNoSignal) {
-  for (const char* const code : {"137", "152", "153"}) submit(code, std::string("exit ") + code + "\n");
+  for (const char* const code : {"137", "152"}) submit(code, std::string("exit ") + code + "\n");
   submit("killed", "kill -9 $$\n");
   shell(std::string(run_class) + "--json j.json");
-  EXPECT_EQ(verdicts(),
-            (Verdicts{{"137", "crashed"}, {"152", "crashed"}, {"153", "crashed"}, {"killed", "crashed"}}));
-  for (const char* const code : {"137", "152", "153"}) {
+  EXPECT_EQ(verdicts(), (Verdicts{{"137", "crashed"}, {"152", "crashed"}, {"killed", "crashed"}}));
+  for (const char* const code : {"137", "152"}) {
     const Json told = json();
     const Json& pictures = told.at("pictures");
     const auto at = std::find_if(pictures.begin(), pictures.end(),
                                  [&](const Json& picture) { return picture["submission"] == code; });
     EXPECT_TRUE(contains((*at)["message"], std::string("or exit code ") + code)) << *at;
   }
-  EXPECT_TRUE(contains(json()["pictures"][3]["message"], "signal 9")) << json();
+  EXPECT_TRUE(contains(json()["pictures"][2]["message"], "signal 9")) << json();
 }
 
 /// The script that runs the submissions lies beside them and beside the results.
@@ -206,22 +207,30 @@ class JudgeBesideResults : public JudgeClassRuns {
  protected:
   void SetUp() override {
     JudgeClassRuns::SetUp();
+    place_ = "teach/";
+    fs::create_directories(workplace_.path("teach/class"));
+    fs::copy(workplace_.path("scenes"), workplace_.path("teach/scenes"));
     fs::permissions(
         workplace_.file(
-            "run.sh",
+            "teach/run.sh",
             "#!/bin/sh\nbeside=$(dirname \"$0\")/beside\n[ ! -e $beside ] || . $beside\nexec \"$@\"\n"),
         fs::perms(0755));
   }
+  references::ProcessResult in_place(const std::string& command) const {
+    return shell("cd teach; " + command);
+  }
+  static constexpr const char* json_file = "teach/j.json";
   static constexpr const char* run_beside =
-      "$JUDGE --renderer './run.sh {submission} {scene} {image}' --submissions class --timeout 100 ";
+      "$JUDGE --renderer './run.sh {submission} {scene} {image}' --submissions class --timeout "
+      "100 ";
 };
 
 TEST_F(JudgeBesideResults, NoResultIsSeenByASubmission) {
   for (const char* const place : {"cache", "stored"}) {
-    fs::create_directories(workplace_.path(place));
-    workplace_.file(std::string(place) + "/picture", "right\n");
+    fs::create_directories(workplace_.path(place_ + place));
+    workplace_.file(place_ + place + "/picture", "right\n");
   }
-  workplace_.file("c.csv.judged.jsonl", "of an earlier run\n");
+  workplace_.file("teach/c.csv.judged.jsonl", "of an earlier run\n");
   submit_slow("ada", "0");
   submit("spy",
          "cd \"$(dirname \"$0\")/..\"; test -s run.sh && echo HERE\n"
@@ -230,43 +239,47 @@ TEST_F(JudgeBesideResults, NoResultIsSeenByASubmission) {
   const std::string all = "export PLUMB_CACHE=$PWD/cache PLUMB_REFERENCES=$PWD/stored; " +
                           std::string(run_beside) + "--report report --json j.json --csv c.csv --junit u.xml";
   for (const char* const when : {"first", "with the results of the first"}) {
-    const auto told = shell(all);
-    ASSERT_EQ(verdicts(), (Verdicts{{"ada", "right"}, {"spy", "crashed"}})) << told.output;
-    EXPECT_EQ(json()["pictures"][1]["printed"], "HERE\n") << when;
+    const auto told = in_place(all);
+    ASSERT_EQ(verdicts(json_file), (Verdicts{{"ada", "right"}, {"spy", "crashed"}})) << told.output;
+    EXPECT_EQ(json(json_file)["pictures"][1]["printed"], "HERE\n") << when;
   }
   // Where the results are among what is shown the pages are hidden alone.
-  shell(std::string(run_beside) + "--report . --json j.json");
-  shell(std::string(run_beside) + "--report . --json j.json");
-  EXPECT_TRUE(exists("submission-1.html"));
+  in_place(std::string(run_beside) + "--report . --json j.json");
+  in_place(std::string(run_beside) + "--report . --json j.json");
+  EXPECT_TRUE(exists("teach/submission-1.html"));
   submit("spy",
          "cd \"$(dirname \"$0\")/..\"; test -s run.sh && echo HERE; test -s submission-1.html && echo "
          "SEEN; test -s judged.jsonl && echo SEEN; exit 3\n");
-  shell(std::string(run_beside) + "--report . --json j.json");
-  EXPECT_EQ(json()["pictures"][1]["printed"], "HERE\n");
+  in_place(std::string(run_beside) + "--report . --json j.json");
+  EXPECT_EQ(json(json_file)["pictures"][1]["printed"], "HERE\n");
 }
 
 TEST_F(JudgeBesideResults, ResultsAndOtherSubmissionsAreNoChange) {
   submit_slow("a", "0");
   submit("b", "sleep 100\n");
   const std::string all = std::string(run_beside) + "--report report --json j.json --csv c.csv";
-  shell(all + " & judge=$!\nuntil grep -q key report/judged.jsonl 2>/dev/null; do sleep 0.1; done\n" +
-        "kill -TERM $judge; wait $judge");
-  ASSERT_EQ(verdicts(), (Verdicts{{"a", "right"}, {"b", "not-judged"}}));
-  const Json before = json()["pictures"][0]["wall_seconds"];
+  in_place(all +
+           " & judge=$!\nuntil grep -q key report/judged.jsonl 2>/dev/null || ! kill -0 $judge; do sleep "
+           "0.1; done\n" +
+           "kill -TERM $judge; wait $judge");
+  ASSERT_EQ(verdicts(json_file), (Verdicts{{"a", "right"}, {"b", "not-judged"}}));
+  const Json before = json(json_file)["pictures"][0]["wall_seconds"];
   submit_slow("b", "0");
-  ASSERT_EQ(shell(all).exit_code, 0);
-  EXPECT_EQ(json()["pictures"][0]["wall_seconds"], before) << "it ran again";
+  ASSERT_EQ(in_place(all).exit_code, 0);
+  EXPECT_EQ(json(json_file)["pictures"][0]["wall_seconds"], before) << "it ran again";
 }
 
 TEST_F(JudgeBesideResults, WhatLiesBesideTheScriptIsAChange) {
   submit_slow("a", "0");
   submit("b", "sleep 100\n");
   const std::string all = std::string(run_beside) + "--report report --json j.json";
-  shell(all + " & judge=$!\nuntil grep -q key report/judged.jsonl 2>/dev/null; do sleep 0.1; done\n" +
-        "kill -TERM $judge; wait $judge");
-  workplace_.file("beside", "exit 3\n");
-  shell(all);
-  EXPECT_EQ(verdicts(), (Verdicts{{"a", "crashed"}, {"b", "crashed"}}));
+  in_place(all +
+           " & judge=$!\nuntil grep -q key report/judged.jsonl 2>/dev/null || ! kill -0 $judge; do sleep "
+           "0.1; done\n" +
+           "kill -TERM $judge; wait $judge");
+  fs::permissions(workplace_.file("teach/beside", "exit 3\n"), fs::perms(0644));
+  in_place(all);
+  EXPECT_EQ(verdicts(json_file), (Verdicts{{"a", "crashed"}, {"b", "crashed"}}));
 }
 
 TEST_F(JudgeClassRuns, SaysWhatWasDoneInsteadOfAPicture) {
