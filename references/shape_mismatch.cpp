@@ -93,6 +93,14 @@ bool have_one_in_common(const std::vector<std::string>& a, const std::vector<std
                      [&](const std::string& name) { return std::find(b.begin(), b.end(), name) != b.end(); });
 }
 
+std::string in_both(const std::vector<std::string>& roles, const std::vector<std::string>& others) {
+  std::string text;
+  for (const std::string& role : others) {
+    if (std::find(roles.begin(), roles.end(), role) != roles.end()) text += (text.empty() ? "" : ",") + role;
+  }
+  return text;
+}
+
 /// The first channel of `more` that `less` lacks, for the message.
 std::string surplus(const std::string& whose, const PixelRows& more, const PixelRows& less) {
   const std::vector<std::string> roles = roles_of(more), names = names_of(more), others = roles_of(less);
@@ -100,8 +108,7 @@ std::string surplus(const std::string& whose, const PixelRows& more, const Pixel
   for (std::size_t c = 0; c < roles.size(); ++c) {
     if (std::find(others.begin(), others.end(), roles[c]) != others.end()) continue;
     return whose + " has " + described(roles[c], names[c]) +
-           ": write it without, or name the channels to compare (--channels " +
-           (less.channels == 3 ? "R,G,B" : "Y") + ")";
+           ": write it without, or name the channels to compare (--channels " + in_both(roles, others) + ")";
   }
   return "write the same channels in both, or name those to compare (--channels)";
 }

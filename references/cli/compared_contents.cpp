@@ -39,6 +39,14 @@ std::string line_of(const NamedRows& file) {
          std::to_string(w.width) + " x " + std::to_string(w.height) + " pixels\n";
 }
 
+Json contents_of(const PixelRows& rows) {
+  const Window w = window_of(rows);
+  const std::string& part = rows.contents.part;
+  return {{"channels", channels_of(rows)},
+          {"part", part.empty() ? Json() : Json(part)},
+          {"window", {w.x, w.y, w.width, w.height}}};
+}
+
 bool is_usual(const PixelRows& rows) {
   return channels_of(rows) == usual_channels(rows.channels) && rows.contents.part.empty() &&
          fills_its_display(rows);
@@ -47,14 +55,12 @@ bool is_usual(const PixelRows& rows) {
 }  // namespace
 
 Json contents_json(const NamedRows& reference, const NamedRows& test) {
-  const Window w = window_of(reference.rows);
-  const std::string &r = reference.rows.contents.part, &t = test.rows.contents.part;
-  const std::string& part = r.empty() ? t : r;
-  return {{"compared",
-           {{"channels", channels_of(reference.rows)},
-            {"part", part.empty() ? Json() : Json(part)},
-            {"window", {w.x, w.y, w.width, w.height}}}},
-          {"not_compared", left_out(reference, test)}};
+  Json compared = contents_of(reference.rows);
+  if (compared["part"].is_null()) compared["part"] = contents_of(test.rows)["part"];
+  Json other = contents_of(test.rows);
+  if (other["part"].is_null()) other["part"] = compared["part"];
+  if (other != compared) compared["test"] = other;
+  return {{"compared", compared}, {"not_compared", left_out(reference, test)}};
 }
 
 std::string contents_text(const NamedRows& reference, const NamedRows& test) {

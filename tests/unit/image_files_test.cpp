@@ -160,6 +160,15 @@ TEST_F(ImageFiles, WholeNumbersOfTiffAreExactToo) {
 TEST_F(ImageFiles, OutsideOfTheDataWindowIsBlack) {
   const PixelRows rows = opened("a.exr", exr_bytes({{{channel("Y", {5})}, {1, 1, 1, 1}, {0, 0, 2, 1}}}));
   EXPECT_EQ(image_of(rows).values, (std::vector<float>{0, 0, 0, 0, 5, 0}));
+  EXPECT_EQ(rows.contents.not_read,
+            Names{"5 pixels outside its data window, which it does not hold: taken as 0"});
+}
+
+TEST_F(ImageFiles, WhatFollowsThePictureIsSaid) {
+  const std::string file = png(8, 2, "abc");
+  EXPECT_EQ(opened("a.png", file).contents.not_read, Names{});
+  EXPECT_EQ(opened("b.png", file + file).contents.not_read,
+            Names{std::to_string(file.size()) + " bytes after the picture"});
 }
 
 TEST_F(ImageFiles, PixelsBeyondTheDisplayWindowAreThereToo) {

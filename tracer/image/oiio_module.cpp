@@ -105,7 +105,10 @@ const char* name_of(Kind kind) {
   }
 }
 
-Shape shape_of(const lib::ImageSpec& spec) {
+/// Whether OpenImageIO's reader itself brings the rows into order: that of TGA does.
+bool is_turned_by(Kind kind) { return kind == Kind::tga || kind == Kind::bmp; }
+
+Shape shape_of(const lib::ImageSpec& spec, Kind kind) {
   const bool is_byte = spec.format == lib::TypeDesc::UINT8;
   Shape shape{spec.width,
               spec.height,
@@ -114,6 +117,12 @@ Shape shape_of(const lib::ImageSpec& spec) {
               is_byte ? Sample::bits8 : Sample::float32,
               {}};
   shape.contents.channels = spec.channelnames;
+  const int orientation = spec.get_int_attribute("Orientation", 1);
+  if (orientation != 1 && !is_turned_by(kind))
+    shape.contents.not_read.push_back(
+        "its orientation (" + std::to_string(orientation) +
+        ", by the numbers of Exif), which viewers turn the picture by; rows were taken as they "
+        "are stored");
   return shape;
 }
 
@@ -126,7 +135,7 @@ std::string read(std::string_view bytes, Kind kind, Canvas& canvas) {
   lib::ImageSpec spec, as_it_is;
   as_it_is.attribute("oiio:UnassociatedAlpha", 1);  // colours as they stand in the file
   if (!in->open(name_of(kind), spec, as_it_is)) return in->geterror();
-  const Shape shape = shape_of(spec);
+  const Shape shape = shape_of(spec, kind);
   std::byte* const pixels = canvas.rows_for(shape);
   const auto type = shape.component == Component::byte ? lib::TypeDesc::UINT8 : lib::TypeDesc::FLOAT;
   if (!in->read_image(0, 0, 0, spec.nchannels, type, pixels)) return in->geterror();

@@ -109,6 +109,8 @@ class Reader {
     layout_.shape.contents.window = all;
     layout_.shape.width = all.width;
     layout_.shape.height = all.height;
+    const auto area = [](const Window& w) { return std::int64_t{w.width} * w.height; };
+    outside_ = area(all) - area(layout_.data);
   }
 
   void note_what_is_left() {
@@ -126,11 +128,15 @@ class Reader {
         exr_get_tile_levels(context_, layout_.part, &wide, &high) == EXR_ERR_SUCCESS &&
         std::max(wide, high) > 1)
       contents.not_read.emplace_back("the smaller levels of a mipmap");
+    if (outside_ > 0)
+      contents.not_read.push_back(std::to_string(outside_) +
+                                  " pixels outside its data window, which it does not hold: taken as 0");
   }
 
   const Source& source_;
   exr_const_context_t context_;
   int parts_ = 0;
+  std::int64_t outside_ = 0;  ///< pixels that are in the display window alone
   ExrLayout layout_;
 };
 

@@ -79,6 +79,10 @@ void open_png(const Source& source, PixelRows& rows) {
   is_plain(png) ? look_at(source, png, bytes, rows) : unpack_png(source, png, bytes.get(), rows);
   rows.contents.channels = usual_channels(rows.channels);
   if (png.is_animated) rows.contents.not_read.emplace_back("the further frames of an animation (APNG)");
+  if (png.has_exif)
+    rows.contents.not_read.emplace_back("its Exif data (eXIf), by which viewers may turn the picture");
+  if (png.bytes_after != 0)
+    rows.contents.not_read.push_back(std::to_string(png.bytes_after) + " bytes after the picture");
 }
 
 }  // namespace plumb::codecs

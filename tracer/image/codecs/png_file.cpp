@@ -51,6 +51,7 @@ void take_chunk(std::string_view name, std::string_view data, const Source& sour
   if (name == "PLTE") png.palette = data;
   if (name == "tRNS") png.transparency = data;
   if (name == "acTL") png.is_animated = true;
+  if (name == "eXIf") png.has_exif = true;
   if (name == "IDAT") png.deflated += data;
 }
 
@@ -104,6 +105,7 @@ Png read_png_chunks(const Source& source) {
     take_chunk(name, data, source, png);
     if (name == "IEND") {
       expect_sense(source, png);
+      png.bytes_after = file.size() - at - around;
       return png;
     }
     at += size + around;

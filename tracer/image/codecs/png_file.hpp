@@ -19,6 +19,8 @@ struct Png {
   PngColour colour = PngColour::grey;
   bool is_interlaced = false;
   bool is_animated = false;
+  bool has_exif = false;
+  std::size_t bytes_after = 0;    ///< the last chunk
   std::string_view palette;       ///< r g b, of 8 bits
   std::string_view transparency;  ///< alphas of a palette, or the one colour that is transparent
   std::string deflated;
