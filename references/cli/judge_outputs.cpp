@@ -57,8 +57,7 @@ void write_scenes(const std::filesystem::path& folder, const std::vector<referen
   for (const references::JudgedScene& scene : scenes) write_file(folder / (scene.name + ".sdf"), scene.text);
 }
 
-void print_summary(const JudgeOutputs& outputs, const std::vector<JudgedPicture>& all,
-                   const references::RunFacts& facts) {
+void print_summary(const std::vector<JudgedPicture>& all, const references::RunFacts& facts) {
   for (const std::string& scene : facts.unvaried)
     std::printf("%s is judged as it is: no variation of it shows the same faults\n",
                 printable(scene).c_str());
@@ -75,7 +74,6 @@ void print_summary(const JudgeOutputs& outputs, const std::vector<JudgedPicture>
   if (const std::size_t done = references::judged_count(all); done != all.size())
     std::printf("interrupted: %zu of %zu pictures were not judged; the same command goes on\n",
                 all.size() - done, all.size());
-  say_report(outputs.report);
 }
 
 bool is_written(const std::string& file, const std::function<void()>& write) {
@@ -146,6 +144,7 @@ bool write_all(const JudgeOutputs& outputs, const std::vector<JudgedPicture>& al
   bool is_well = is_written(outputs.report, [&] {
     references::write_overview(outputs.report, all, hint, facts);
     if (facts.seed) write_scenes(std::filesystem::path(outputs.report) / "scenes", scenes);
+    if (says_on_terminal(outputs)) say_report(outputs.report);
   });
   is_well &= is_written(outputs.csv, [&] { write_file(outputs.csv, references::overview_csv(all, hint)); });
   is_well &=
@@ -161,7 +160,7 @@ void print(const JudgeOutputs& outputs, const std::vector<JudgedPicture>& all,
   for (const JudgedPicture& picture : all) {
     if (picture.verdict != Judged::not_judged) print(picture, outputs.hint);
   }
-  print_summary(outputs, all, facts);
+  print_summary(all, facts);
 }
 
 }  // namespace plumb::cli

@@ -312,6 +312,11 @@ TEST_F(JudgeCommand, NothingThatIsRunAndNoPageOfOthersIsReplaced) {
   EXPECT_EQ(read_file(workplace_.path("class/ada")), script);
   EXPECT_EQ(read_file(workplace_.path("tracer")), script);
   EXPECT_EQ(read_file(workplace_.path("mine/index.html")), "my own page");
+  for (const char* const directory : {"half", "room/ada"}) fs::create_directories(workplace_.path(directory));
+  workplace_.file("half/submission-1.html", "my own page");
+  const Outcome half = judge({"--images", "room", "--report", "half"});
+  expect_trouble(half, {"submission-1.html", "not replaced"});
+  EXPECT_FALSE(contains(half.out, "report:")) << half.out;
 }
 
 TEST_F(JudgeCommand, ARightPictureStaysRightHoweverMuchIsPrinted) {
