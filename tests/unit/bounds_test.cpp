@@ -217,6 +217,8 @@ TEST(Regions, TheWorstPixelCountsEvenWhenAllAgree) {
   EXPECT_TRUE(c.agrees());
   EXPECT_EQ(c.comparison.worst.x, 2);
   EXPECT_EQ(c.comparison.max_error, 0);
+  for (int width = 1; width < 20; ++width)
+    EXPECT_EQ(compare(Image(width, 1), Image(width, 1), Limit{0}).worst.x, 0) << width;
 }
 
 TEST(Regions, NoPixelLeftIsNoAgreement) {
