@@ -344,6 +344,8 @@ TEST(EndlessFile, IsTooLarge) {
   const Workplace workplace;
   expect_trouble(run_plumb({"export", "/dev/zero"}, workplace.directory()),
                  {"/dev/zero", "larger than 1 GiB"});
+  expect_trouble(run_plumb({"compare", "/dev/zero", "/dev/zero"}, workplace.directory()),
+                 {"/dev/zero", "a device that does not end"});
 }
 
 // --- options ------------------------------------------------------------------------------------

@@ -19,7 +19,7 @@ std::string read_file(const std::string& path) {
     throw std::runtime_error(path + ": cannot be read: " + std::strerror(errno));
   }
   if (S_ISDIR(info.st_mode)) throw std::runtime_error(path + ": is a directory, expected a file");
-  constexpr std::size_t least_room = std::size_t{1} << 16;
+  constexpr std::size_t least_room = std::size_t{1} << 16, most_of_a_device = std::size_t{1} << 30;
   std::string bytes(static_cast<std::size_t>(info.st_size) + least_room, '\0');
   std::size_t size = 0;
   for (;;) {
@@ -28,6 +28,8 @@ std::string read_file(const std::string& path) {
     if (got < 0) throw std::runtime_error(path + ": cannot be read: " + std::strerror(errno));
     if (got == 0) break;
     size += static_cast<std::size_t>(got);
+    if (S_ISCHR(info.st_mode) && size > most_of_a_device)
+      throw std::runtime_error(path + ": is a device that does not end within 1 GiB, expected a file");
     if (size == bytes.size()) bytes.resize(2 * size);
   }
   bytes.resize(size);
