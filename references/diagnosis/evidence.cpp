@@ -160,6 +160,18 @@ const FloatMoves& Evidence::moves() const {
   return *moves_;
 }
 
+std::vector<float> Evidence::textbook_in_float(const std::vector<PixelPlace>& places) const {
+  using Formulas = textbook::ReplaceableFormulas<float>;
+  const textbook::World<float, Formulas> world(scene_, Formulas({}));
+  const textbook::Tracer<float, Formulas> tracer(world, camera_, job_.width, job_.height, job_.options);
+  std::vector<float> colours;
+  for (const auto& [x, y] : places) {
+    const Rgb<float> colour = tracer.raycast(x, y);
+    colours.insert(colours.end(), {colour.x, colour.y, colour.z});
+  }
+  return colours;
+}
+
 Image Evidence::moved_in_float(int number) const {
   textbook::RenderJob in_float = job_;
   in_float.real = RealType::float32;

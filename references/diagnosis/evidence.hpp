@@ -65,6 +65,9 @@ class Evidence {
   /// many.
   std::vector<std::optional<std::uint64_t>> moved_courses(int number, const std::vector<PixelPlace>& places,
                                                           Work& work) const;
+  /// At these pixels the right picture by the textbook tracer in float32, which rounds otherwise than the
+  /// engine.
+  std::vector<float> textbook_in_float(const std::vector<PixelPlace>& places) const;
   /// The right picture of such a scene, by the engine in float32.
   Image moved_in_float(int number) const;
 

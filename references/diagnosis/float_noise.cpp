@@ -1,7 +1,9 @@
 #include "references/diagnosis/float_noise.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <random>
 
@@ -17,46 +19,60 @@ namespace {
 constexpr double rounded = 0x1p-21;
 /// because more of a shape's size would be seen
 constexpr double most_of_a_shape = 1e-3;
-/// because what float32 is off by more at is another surface or another light
-constexpr float most_of_an_error = 1e-3F;
 
-Vec3d middle_of(const Shape& shape) {
-  if (const auto* sphere = std::get_if<Sphere>(&shape.geometry)) return sphere->center;
-  const auto* box = std::get_if<Box>(&shape.geometry);
-  return box == nullptr ? Vec3d(0) : (box->min + box->max) / 2.0;
-}
-
-double size_of(const Shape& shape) {
-  if (const auto* sphere = std::get_if<Sphere>(&shape.geometry)) return sphere->radius;
-  const auto* box = std::get_if<Box>(&shape.geometry);
-  return box == nullptr ? 0 : glm::length(box->max - box->min) / 2;
-}
-
-/// By how much float32 moves a shape, in its own space. Of spheres the distance counts with its square over
-/// the size, because the discriminant of a small sphere far away is a difference of such squares.
-double step_of(const Shape& shape, const Mat4<double>& world_from_object, const Vec3d& eye) {
+/// By how much float32 moves a sphere, in its own space. The distance counts with its square over the size,
+/// because the discriminant of a small sphere far away is a difference of such squares.
+double step_of(const Sphere& sphere, const Mat4<double>& world_from_object, const Vec3d& eye) {
   double enlargement = 0;
   for (int axis = 0; axis < 3; ++axis)
     enlargement = std::max(enlargement, glm::length(Vec3d(world_from_object[axis])));
-  const double size = size_of(shape);
-  const Vec3d middle(world_from_object * glm::dvec4(middle_of(shape), 1));
+  const double size = sphere.radius;
+  const Vec3d middle(world_from_object * glm::dvec4(sphere.center, 1));
   const double reach = glm::length(middle) + glm::length(middle - eye) + size * enlargement;
   if (!(enlargement > 0) || !(size > 0) || !std::isfinite(reach)) return 0;
-  const bool has_discriminant = std::holds_alternative<Sphere>(shape.geometry);
-  const double squares = has_discriminant ? reach / (size * enlargement) : 0;
-  const double step = rounded * reach * (1 + squares) / enlargement;
+  const double step = rounded * reach * (1 + reach / (size * enlargement)) / enlargement;
   return std::min(step, most_of_a_shape * size);
 }
 
-void move(Shape& shape, double step, std::mt19937& random) {
-  std::uniform_real_distribution<double> part(-step, step);
-  const auto some = [&] { return Vec3d(part(random), part(random), part(random)); };
-  if (auto* sphere = std::get_if<Sphere>(&shape.geometry)) {
-    sphere->radius += part(random);
-    sphere->center += some();
-  } else if (auto* box = std::get_if<Box>(&shape.geometry)) {
-    box->min += some();
-    box->max = glm::max(box->min, box->max + some());
+/// Along each axis of an object, the largest number that is rounded when rays from these places come into
+/// its space: a face is as exact as its own coordinate and this one, however large the box is.
+Vec3d coordinates_of_rays(const Mat4<double>& object_from_world, const std::vector<Vec3d>& places) {
+  Vec3d most(0);
+  for (const Vec3d& place : places) {
+    Vec3d sum = glm::abs(Vec3d(object_from_world[3]));
+    for (int axis = 0; axis < 3; ++axis)
+      sum += glm::abs(Vec3d(object_from_world[axis])) * std::abs(place[axis]);
+    most = glm::max(most, sum);
+  }
+  return most;
+}
+
+/// Between -1 and 1, the same for the same number along the same axis: float32 keeps equal what is equal.
+double part_of(int number, int axis, double value) {
+  std::seed_seq seed{static_cast<std::uint64_t>(number), static_cast<std::uint64_t>(axis),
+                     std::bit_cast<std::uint64_t>(value + 0.0) >> 32U,
+                     std::bit_cast<std::uint64_t>(value + 0.0) & 0xffffffffU};
+  std::mt19937 random(seed);
+  return std::uniform_real_distribution<double>(-1, 1)(random);
+}
+
+void move(Sphere& sphere, const Vec3d& step, int number, double share) {
+  constexpr int of_radius = 3;
+  sphere.radius += share * step.x * part_of(number, of_radius, sphere.radius);
+  for (int axis = 0; axis < 3; ++axis)
+    sphere.center[axis] += share * step.x * part_of(number, axis, sphere.center[axis]);
+}
+
+void move(Box& box, const Vec3d& coordinates, int number, double share) {
+  const double most = most_of_a_shape * glm::length(box.max - box.min) / 2;
+  const auto moved = [&](int axis, double face) {
+    const double step = std::min(most, rounded * (std::abs(face) + coordinates[axis]));
+    return face + share * step * part_of(number, axis, face);
+  };
+  for (int axis = 0; axis < 3; ++axis) {
+    const double least = moved(axis, box.min[axis]);
+    box.max[axis] = std::max(least, moved(axis, box.max[axis]));
+    box.min[axis] = least;
   }
 }
 
@@ -102,7 +118,6 @@ float largest_about(const std::vector<float>& errors, int width, int height, int
 FloatErrors float_errors(const Scene& scene, const Camera& camera, const RenderJob& job,
                          const Image& in_double) {
   constexpr float least = 1e-6F, most_everywhere = 1e-5F;
-  constexpr float other_tracer = 4;  // because another order of the same operations rounds otherwise
   RenderJob in_float = job;
   in_float.real = RealType::float32;
   const std::vector<float> errors = errors_of(render(Renderer::engine, scene, camera, in_float), in_double);
@@ -119,22 +134,28 @@ FloatErrors float_errors(const Scene& scene, const Camera& camera, const RenderJ
 }
 
 FloatMoves::FloatMoves(const Scene& scene, const Camera& camera)
-    : scene_(with_instances_apart(scene)), steps_(scene_.shapes.size(), 0) {
+    : scene_(with_instances_apart(scene)), steps_(scene_.shapes.size(), Vec3d(0)) {
   const Vec3d eye(product_of<double>(camera.transform).matrix * glm::dvec4(camera.eye, 1));
+  std::vector<Vec3d> places{eye};
+  for (const Light& light : scene_.lights) places.push_back(light.position);
   for_each_instance(scene_, [&](const Instance& instance) {
-    const double step = step_of(scene_.shapes[instance.shape], instance.world_from_object.matrix, eye);
-    steps_[instance.shape] = std::max(steps_[instance.shape], step);
+    const auto& geometry = scene_.shapes[instance.shape].geometry;
+    const auto* sphere = std::get_if<Sphere>(&geometry);
+    const Vec3d step = sphere != nullptr ? Vec3d(step_of(*sphere, instance.world_from_object.matrix, eye))
+                                         : coordinates_of_rays(instance.world_from_object.inverse, places);
+    steps_[instance.shape] = glm::max(steps_[instance.shape], step);
   });
 }
-
-bool FloatMoves::is_small(int number) { return number == 0 || part_of_step(number) < 1; }
 
 Scene FloatMoves::moved(int number) const {
   Scene moved = scene_;
   if (number == 0) return moved;
-  std::mt19937 random(static_cast<std::uint32_t>(number));
-  for (ShapeId id = 0; id < moved.shapes.size(); ++id)
-    move(moved.shapes[id], part_of_step(number) * steps_[id], random);
+  for (ShapeId id = 0; id < moved.shapes.size(); ++id) {
+    if (auto* sphere = std::get_if<Sphere>(&moved.shapes[id].geometry))
+      move(*sphere, steps_[id], number, part_of_step(number));
+    else if (auto* box = std::get_if<Box>(&moved.shapes[id].geometry))
+      move(*box, steps_[id], number, part_of_step(number));
+  }
   return moved;
 }
 

@@ -9,6 +9,11 @@
 
 namespace plumb::references {
 
+/// because another order of the same operations rounds otherwise
+inline constexpr float other_tracer = 4;
+/// because what float32 is off by more at is another surface or another light
+inline constexpr float most_of_an_error = 1e-3F;
+
 /// What the colour of each pixel may be off by in float32, relative above 1, row by row.
 struct FloatErrors {
   /// Four times what a render in float32 is off by at the pixel or a neighbour, 1e-3 at most: what jumps by
@@ -23,7 +28,7 @@ FloatErrors float_errors(const Scene& scene, const Camera& camera, const RenderJ
                          const Image& in_double);
 
 /// Scenes that a tracer in float32 cannot tell from a given one, by number: each sphere and each face of a
-/// box is moved by what float32 rounds at its distance.
+/// box is moved by what float32 rounds at its distance, and faces at one coordinate by the same.
 class FloatMoves {
  public:
   /// The scene's instances are taken apart; see with_instances_apart().
@@ -31,12 +36,10 @@ class FloatMoves {
 
   /// Number 0 moves nothing.
   Scene moved(int number) const;
-  /// Whether it moves by no more than what float32 rounds once or twice, not by what it rounds in all.
-  static bool is_small(int number);
 
  private:
   Scene scene_;
-  std::vector<double> steps_;  // in the space of each shape
+  std::vector<Vec3d> steps_;  // of spheres the step, of boxes what stands beside a face's coordinate
 };
 
 }  // namespace plumb::references

@@ -136,10 +136,7 @@ OutputEncoding best_encoding(const Evidence& evidence, const Image& image) {
   return best;
 }
 
-struct Outcome {
-  std::array<float, channels> colour;
-  bool is_by_small_move;
-};
+using Outcome = std::array<float, channels>;
 
 /// A pixel that is tried, and the colours that moved scenes gave it.
 struct Suspect {
@@ -151,10 +148,18 @@ struct Suspect {
   bool is_proven = false;
 };
 
-bool are_of_one_surface(const std::array<float, channels>& a, const std::array<float, channels>& b) {
+bool are_of_one_surface(const Outcome& a, const Outcome& b) {
   for (std::size_t c = 0; c < channels; ++c) {
     const float scale = std::max({1.0F, std::abs(a[c]), std::abs(b[c])});
     if (!(std::abs(a[c] - b[c]) <= one_surface * scale)) return false;
+  }
+  return true;
+}
+
+/// Not a jump: what is off by more is another surface or another light.
+bool are_of_one_error(const Outcome& a, const Outcome& b) {
+  for (std::size_t c = 0; c < channels; ++c) {
+    if (!(std::abs(a[c] - b[c]) <= most_of_an_error * std::max(1.0F, std::abs(b[c])))) return false;
   }
   return true;
 }
@@ -167,7 +172,8 @@ class Proof {
   /// Takes out what is proven.
   void prove(Remains& remains) const {
     std::vector<Suspect> all = suspects(remains.pixels);
-    if (all.size() > most_without_sample && !is_mostly_edges(all)) return;
+    if (all.size() > most_without_sample && !is_mostly_chance(all)) return;
+    try_textbook(all);
     try_moves(all, moves);
     if (set_.empty()) try_float(all);
     for (const Suspect& s : all) {
@@ -187,13 +193,32 @@ class Proof {
   }
 
   /// Tells from an even sample.
-  bool is_mostly_edges(const std::vector<Suspect>& all) const {
+  bool is_mostly_chance(const std::vector<Suspect>& all) const {
     std::vector<Suspect> sample;
     for (std::size_t i = 0; i < size_of_sample; ++i) sample.push_back(all[i * all.size() / size_of_sample]);
+    try_textbook(sample);
     try_moves(sample, moves_of_sample);
     const auto proven =
         std::count_if(sample.begin(), sample.end(), [](const Suspect& s) { return s.is_proven; });
     return 2 * static_cast<std::size_t>(proven) > size_of_sample;
+  }
+
+  /// Where the textbook tracer is off by more than the engine in float32, others may be, too.
+  void try_textbook(std::vector<Suspect>& all) const {
+    if (!set_.empty()) return;
+    const std::vector<float> colours = evidence_.textbook_in_float(places_of(all));
+    const float* const right = evidence_.picture_with({}).rgb.data();
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const Outcome in_float = colour_at(colours.data(), i), in_double = colour_at(right, all[i].pixel);
+      Outcome low = in_float, high = in_float;
+      all[i].is_edge |= !are_of_one_error(in_float, in_double);
+      for (std::size_t c = 0; c < channels && !all[i].is_edge; ++c) {
+        const float error = other_tracer * std::abs(in_float[c] - in_double[c]);
+        low[c] = in_double[c] - error;
+        high[c] = in_double[c] + error;
+      }
+      all[i].is_proven = holding_.holds(low.data(), high.data(), all[i].pixel);
+    }
   }
 
   void try_moves(std::vector<Suspect>& all, int most) const {
@@ -217,24 +242,32 @@ class Proof {
       for (Suspect& s : all) {
         if (s.is_proven) continue;
         const auto outcome = colour_at(image.rgb.data(), s.pixel);
-        s.is_edge |= !are_of_one_surface(outcome, colour_at(right, s.pixel));
-        add(outcome, number, s);
+        const Outcome in_double = colour_at(right, s.pixel);
+        s.is_edge |=
+            number == 0 ? !are_of_one_error(outcome, in_double) : !are_of_one_surface(outcome, in_double);
+        add(outcome, s);
       }
     }
   }
 
-  void trace(int number, std::vector<Suspect>& all, Work& work) const {
+  /// Of those that are not proven.
+  std::vector<PixelPlace> places_of(const std::vector<Suspect>& all) const {
     std::vector<PixelPlace> places;
     for (const Suspect& s : all) {
       if (!s.is_proven) places.push_back(evidence_.place_of(s.pixel));
     }
+    return places;
+  }
+
+  void trace(int number, std::vector<Suspect>& all, Work& work) const {
+    const std::vector<PixelPlace> places = places_of(all);
     const std::vector<float> colours = evidence_.moved_colours(number, set_, places, work);
     const Courses courses = courses_of(number, places, work);
     std::size_t place = 0;
     for (Suspect& s : all) {
       if (s.is_proven) continue;
       note(courses[place], number, s);
-      add(colour_at(colours.data(), place++), number, s);
+      add(colour_at(colours.data(), place++), s);
     }
   }
 
@@ -250,32 +283,27 @@ class Proof {
     s.is_edge |= !set_.empty() || (course && s.course && *course != *s.course);
   }
 
-  static std::array<float, channels> colour_at(const float* colours, std::size_t place) {
+  static Outcome colour_at(const float* colours, std::size_t place) {
     return {colours[channels * place], colours[channels * place + 1], colours[channels * place + 2]};
   }
 
-  /// Of an edge every outcome may be what is seen. Elsewhere only the least moves say what float32 may give:
-  /// a colour that is steep there, as on a sphere that is seen at a grazing angle.
-  void add(const std::array<float, channels>& outcome, int number, Suspect& s) const {
-    s.outcomes.push_back({outcome, FloatMoves::is_small(number)});
+  void add(const Outcome& outcome, Suspect& s) const {
+    s.outcomes.push_back(outcome);
+    if (!s.is_edge) return;
     const std::size_t last = s.outcomes.size() - 1;
-    const std::size_t first = s.is_edge && !s.is_tried ? 0 : last;  // what was left out before is tried now
-    s.is_tried = s.is_edge;
+    const std::size_t first = s.is_tried ? last : 0;
+    s.is_tried = true;
     for (std::size_t i = 0; i <= last && !s.is_proven; ++i) {
-      for (std::size_t j = std::max(i, first); j <= last && !s.is_proven; ++j) {
-        const Outcome &a = s.outcomes[i], &b = s.outcomes[j];
-        if (s.is_edge || (a.is_by_small_move && b.is_by_small_move))
-          s.is_proven = is_between(a.colour, b.colour, s.pixel);
-      }
+      for (std::size_t j = std::max(i, first); j <= last && !s.is_proven; ++j)
+        s.is_proven = is_between(s.outcomes[i], s.outcomes[j], s.pixel);
     }
   }
 
   /// Whether the pixel holds one of two outcomes, or what lies between them where they are of one surface.
-  bool is_between(const std::array<float, channels>& a, const std::array<float, channels>& b,
-                  std::size_t pixel) const {
+  bool is_between(const Outcome& a, const Outcome& b, std::size_t pixel) const {
     if (holding_.holds(a.data(), a.data(), pixel) || holding_.holds(b.data(), b.data(), pixel)) return true;
     if (!are_of_one_surface(a, b)) return false;
-    std::array<float, channels> low{}, high{};
+    Outcome low{}, high{};
     for (std::size_t c = 0; c < channels; ++c) std::tie(low[c], high[c]) = std::minmax(a[c], b[c]);
     return holding_.holds(low.data(), high.data(), pixel);
   }

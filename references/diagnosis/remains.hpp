@@ -19,8 +19,8 @@ struct Remains {
 /// A pixel is within what its encoding holds when a colour that is off by no more than float32 makes it, to
 /// the last level. It is proven an edge when the scene, moved by what float32 rounds (see FloatMoves) and
 /// traced again, sends its rays to another surface or hides another light, and one of the moved scenes, with
-/// the same faults, gives such a colour; or when moves of a tenth of that do, or the engine in float32.
-/// Colours that are not finite are never either.
+/// the same faults, gives such a colour; or when the engine or the textbook tracer does in float32. Colours
+/// that are not finite are never either.
 Remains remains_of(const Evidence& evidence, const FaultSet& set);
 
 /// The same without a proof of edges, at these pixels: whether each is within what the encoding holds.

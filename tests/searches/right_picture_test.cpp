@@ -185,6 +185,37 @@ TEST(RightPicture, HasItsThinShapes) {
   }
 }
 
+/// A number is as exact as it is large, whatever stands beside it.
+TEST(RightPicture, HasItsLargeBoxesAtTheirPlaces) {
+  const auto scene = [](const std::string& top) {
+    return scene_of(
+        "define material w 1 0.2 0.2 0.5 0.7 0.2 0.3 0.3 0.3 20\n"
+        "define shape box floor -100000 -3 -100000 100000 " +
+        top +
+        " 100000 w\ndefine shape sphere ball 0 0 -5 1 w\ndefine light l 3 5 0 1 1 1 1\n"
+        "ambient 0.2 0.2 0.2\ndefine camera c 60\nrender c p.ppm 160 120\n");
+  };
+  const Subject subject = scene("-1");
+  for (const Format& format : {formats()[0], formats()[6]}) {
+    EXPECT_EQ(diagnosed(subject, written(rendered(subject), format)).verdict, PictureVerdict::right);
+    EXPECT_NE(diagnosed(subject, written(rendered(scene("-1.005")), format)).verdict, PictureVerdict::right)
+        << format.name;
+  }
+}
+
+/// What is equal in the file is equal in float32, too: the first is met.
+TEST(RightPicture, HasTheFirstOfSurfacesAtOnePlace) {
+  const std::string head =
+      "define material r 0.8 0.1 0.1 0 0 0 0 0 0 1\ndefine material g 0.1 0.7 0.2 0 0 0 0 0 0 1\n";
+  const std::string a = "define shape box a -1 -1 -5 0.5 1 -4 r\n",
+                    b = "define shape box b -0.5 -1 -6 1 1 -4 g\n";
+  const std::string tail = "ambient 1 1 1\ndefine camera c 60\nrender c p.ppm 120 90\n";
+  const Subject subject = scene_of(head + a + b + tail);
+  const Diagnosis found = diagnosed(subject, written(rendered(scene_of(head + b + a + tail)), formats()[0]));
+  EXPECT_NE(found.verdict, PictureVerdict::right);
+  EXPECT_LT(found.edges, 100U);
+}
+
 /// A pixel that float32 takes for another surface says nothing of its neighbours.
 TEST(RightPicture, IsAsNearBesideAJump) {
   Subject subject = scene_of(text_of("shadow.sdf"));
