@@ -118,11 +118,12 @@ Shape shape_of(const lib::ImageSpec& spec, Kind kind) {
               {}};
   shape.contents.channels = spec.channelnames;
   const int orientation = spec.get_int_attribute("Orientation", 1);
-  if (orientation != 1 && !is_turned_by(kind))
+  if (orientation != 1 && !is_turned_by(kind)) {
     shape.contents.not_read.push_back(
         "its orientation (" + std::to_string(orientation) +
         ", by the numbers of Exif), which viewers turn the picture by; rows were taken as they "
         "are stored");
+  }
   return shape;
 }
 
