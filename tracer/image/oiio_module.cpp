@@ -105,7 +105,7 @@ const char* name_of(Kind kind) {
   }
 }
 
-/// Whether OpenImageIO's reader itself brings the rows into order: that of TGA does.
+/// Whether the reader of OpenImageIO brings the rows into order itself: those of TGA and BMP do.
 bool is_turned_by(Kind kind) { return kind == Kind::tga || kind == Kind::bmp; }
 
 Shape shape_of(const lib::ImageSpec& spec, Kind kind) {
