@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 
 #include "tracer/engine/vectors.hpp"
 
@@ -34,7 +35,7 @@ float component(const std::byte* from, std::size_t index) {
 void add_pixel(Tally& tally, const std::byte* reference, const std::byte* test, std::size_t channels,
                const Limit& limit, std::size_t number) {
   bool is_finite = true, is_over = false;
-  double worst = -INFINITY, judged = 0, largest = 0, sum = 0, squares = 0;
+  double worst = -std::numeric_limits<double>::infinity(), judged = 0, largest = 0, sum = 0, squares = 0;
   for (std::size_t c = 0; c < channels; ++c) {
     const double r = component(reference, c), t = component(test, c);
     is_finite = is_finite && std::isfinite(r) && std::isfinite(t);

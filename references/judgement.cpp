@@ -1,8 +1,8 @@
 #include "references/judgement.hpp"
 
 #include <algorithm>
+#include <map>
 #include <optional>
-#include <set>
 #include <utility>
 
 #include "references/comparison.hpp"
@@ -38,37 +38,56 @@ class PixelJudge {
 
   /// Nothing when the pixel has too many rays, or the work is over before the verdict stands.
   std::optional<JudgedPixel> judged(const PixelPlace& p) const {
+    const auto trial = tried(p, [](const Trial& t) { return !t.wrong.any(); });
+    if (!trial) return std::nullopt;
     const float* const ours = job_.test.pixel(p.x, p.y);
     const float* const reference = job_.reference.pixel(p.x, p.y);
-    const auto as_written = oracle_.colour(p.x, p.y);
-    if (!as_written) return std::nullopt;
-    Answers answers{to_colour(*as_written), to_colour(*as_written)};
-    Wrong wrong;
-    wrong.weigh(answers, ours, reference, job_.tolerance);
-    // More answers can only acquit.
-    for (int pattern = 0; pattern < Oracle::patterns && wrong.any(); ++pattern) {
-      const auto moved = oracle_.colour_when_moved(p.x, p.y, pattern);
-      if (!moved || work_.is_over()) return std::nullopt;
-      answers.include(to_colour(*moved));
-      wrong.weigh(answers, ours, reference, job_.tolerance);
-    }
     return JudgedPixel{p.x,
                        p.y,
-                       wrong.verdict(),
+                       trial->wrong.verdict(),
                        {ours[0], ours[1], ours[2]},
                        {reference[0], reference[1], reference[2]},
-                       Rgbd(*as_written)};
+                       trial->as_written};
   }
 
   /// Whether the scene's last digits leave both values open; else, or when that is not found out, no.
   bool leaves_open(const PixelPlace& p) const {
-    const auto answers = oracle_.answers(p.x, p.y);
-    return answers && !answers->is_decided(job_.tolerance) &&
-           answers->allow(job_.test.pixel(p.x, p.y), job_.tolerance) &&
-           answers->allow(job_.reference.pixel(p.x, p.y), job_.tolerance);
+    const auto is_open = [this](const Trial& t) {
+      return !t.wrong.any() && !t.answers.is_decided(job_.tolerance);
+    };
+    const auto trial = tried(p, is_open);
+    return trial && is_open(*trial);
   }
 
  private:
+  struct Trial {
+    Rgbd as_written;
+    Answers answers;
+    Wrong wrong;
+  };
+
+  /// Widens the answers until the question is settled or all patterns are tried: more can only acquit.
+  template <class IsSettled>
+  std::optional<Trial> tried(const PixelPlace& p, IsSettled is_settled) const {
+    const auto as_written = oracle_.colour(p.x, p.y);
+    if (!as_written) return std::nullopt;
+    Trial trial{Rgbd(*as_written), {to_colour(*as_written), to_colour(*as_written)}, {}};
+    weigh(p, trial);
+    for (int pattern = 0; pattern < Oracle::patterns + Oracle::rounded_patterns; ++pattern) {
+      if (is_settled(trial)) break;
+      if (pattern == Oracle::patterns && trial.answers.is_decided(job_.tolerance)) break;
+      const auto moved = oracle_.colour_when_moved(p.x, p.y, pattern);
+      if (!moved || work_.is_over()) return std::nullopt;
+      trial.answers.include(to_colour(*moved));
+      weigh(p, trial);
+    }
+    return trial;
+  }
+  void weigh(const PixelPlace& p, Trial& trial) const {
+    trial.wrong.weigh(trial.answers, job_.test.pixel(p.x, p.y), job_.reference.pixel(p.x, p.y),
+                      job_.tolerance);
+  }
+
   const AttributionJob& job_;
   mutable Work work_;
   Oracle oracle_;
@@ -114,14 +133,18 @@ std::string Judgement::note() const {
   return said;
 }
 
-void refute(const Judgement& judgement, Budget& budget) {
-  std::set<std::pair<int, int>> wrong;
-  for (const JudgedPixel& p : judgement.pixels) {
-    if (p.verdict == Verdict::ours_wrong || p.verdict == Verdict::both_wrong) wrong.emplace(p.x, p.y);
-  }
+void reconcile(const Judgement& judgement, Budget& budget) {
+  std::map<std::pair<int, int>, Verdict> verdicts;
+  for (const JudgedPixel& p : judgement.pixels) verdicts.emplace(std::pair(p.x, p.y), p.verdict);
   for (AttributedPixel& p : budget.pixels) {
-    if (wrong.contains({p.x, p.y})) p.cause = Cause::unexplained;
+    const auto verdict = verdicts.find({p.x, p.y});
+    if (verdict == verdicts.end() || verdict->second == Verdict::reference_wrong) continue;
+    if (verdict->second != Verdict::undecided)
+      p.cause = Cause::unexplained;
+    else if (p.cause == Cause::unexplained)
+      p.cause = Cause::undecided;
   }
+  budget.unexamined = std::min(budget.unexamined, budget.count(Cause::unexplained));
 }
 
 void settle_undecided(const AttributionJob& job, Budget& budget) {

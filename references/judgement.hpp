@@ -44,9 +44,10 @@ struct Judgement {
 /// Spent at most on one scene, in units of Work; 5 to 10 s on a machine of 2023.
 inline constexpr double most_work_of_judgement = 1e9;
 
-/// A pixel at which our side is wrong is no matter of chance, whatever proof the budget has: it becomes
-/// unexplained, so that no two outputs contradict each other.
-void refute(const Judgement& judgement, Budget& budget);
+/// So that no two outputs contradict each other: a pixel at which our side is wrong is no matter of chance,
+/// whatever proof the budget has, and becomes unexplained; an unexplained one that is undecided becomes
+/// undecided there, too.
+void reconcile(const Judgement& judgement, Budget& budget);
 
 /// Where no cause was found for a few pixels, at most as many as may be unverified: those at which the scene
 /// has answers (see Oracle) that are farther apart than the tolerance, and both values are among them, become

@@ -1,7 +1,9 @@
 #include "references/oracle.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <random>
 #include <utility>
@@ -95,6 +97,50 @@ class QuadLimit : public textbook::NoObserver<Quad> {
   std::shared_ptr<std::size_t> rays_;  // of the pixel, counted by all copies
 };
 
+/// The lecture's formulas, for a ray that each shape meets where its own last digits put it.
+struct RoundedTable : textbook::FormulaTable<Quad> {
+  std::uint32_t seed = 0;
+
+  // These hide the entries of the table.
+  std::optional<Quad> intersect_sphere(const Ray<Quad>& ray, const Vec3<Quad>& center, Quad radius,
+                                       bool starts_on_it) const {
+    return formulas::intersect_sphere(rounded(ray, center, radius), center, radius, starts_on_it);
+  }
+  std::optional<FaceHit<Quad>> intersect_box(const Ray<Quad>& ray, const Corners<Quad>& box,
+                                             Face start) const {
+    return formulas::intersect_box(rounded(ray, box.min, glm::length(box.max - box.min)), box, start);
+  }
+
+ private:
+  Ray<Quad> rounded(const Ray<Quad>& ray, const Vec3<Quad>& place, Quad size) const {
+    const Vec3d origin(ray.origin), direction(ray.direction), of_shape(place);
+    const double length =
+        last_digits * std::max({size_of(origin), size_of(of_shape), static_cast<double>(size)});
+    Ray<Quad> moved = ray;
+    // In half of the patterns it passes by what lies within so little: the second face of an edge that it
+    // enters.
+    if (seed % 2 != 0) moved.t_min = std::max(ray.t_min, 64 * Quad(length) / glm::length(ray.direction));
+    std::uint64_t meeting = seed;
+    for (int axis = 0; axis < 3; ++axis)
+      meeting = mixed(mixed(mixed(meeting, origin[axis]), direction[axis]), of_shape[axis]);
+    meeting = mixed(meeting, static_cast<double>(size));
+    for (int axis = 0; axis < 3; ++axis) moved.origin[axis] += (meeting >> axis & 1U) != 0 ? length : -length;
+    return moved;
+  }
+  /// The finalizer of MurmurHash3 (Appleby, public domain).
+  static std::uint64_t mixed(std::uint64_t hash, double number) {
+    hash ^= std::bit_cast<std::uint64_t>(number);
+    hash = (hash ^ hash >> 33U) * 0xff51afd7ed558ccdU;
+    hash = (hash ^ hash >> 33U) * 0xc4ceb9fe1a85ec53U;
+    return hash ^ hash >> 33U;
+  }
+};
+
+struct RoundedFormulas {
+  const RoundedTable* operator->() const { return &table; }
+  RoundedTable table;
+};
+
 double units_of_ray(const Scene& scene, textbook::InstanceId instances) {
   return units_of_quad * (units_of_shading + static_cast<double>(instances)) *
          static_cast<double>(1 + scene.lights.size());
@@ -148,23 +194,28 @@ void Answers::include(const Colour& colour) {
 
 class Oracle::View {
  public:
-  View(Scene scene, const Camera& camera, const Oracle& of)
+  virtual ~View() = default;
+  virtual std::optional<Rgb<Quad>> at(int x, int y) const = 0;
+};
+
+template <class Formulas>
+class Oracle::ViewBy final : public View {
+ public:
+  ViewBy(Scene scene, const Camera& camera, const Oracle& of, const Formulas& formulas)
       : scene_(std::move(scene)),
-        world_(scene_, {}),
+        world_(scene_, formulas),
         limit_(units_of_ray(scene_, world_.instances()), of.work_),
         tracer_(world_, camera, of.width_, of.height_, of.options_, limit_) {
     of.work_.spend(units_of_quad * units_of_shape * static_cast<double>(scene_.shapes.size()));
   }
 
-  std::optional<Rgb<Quad>> at(int x, int y) const {
+  std::optional<Rgb<Quad>> at(int x, int y) const override {
     const Rgb<Quad> colour = tracer_.raycast(x, y);
     if (limit_.take_is_cut()) return std::nullopt;
     return colour;
   }
 
  private:
-  using Formulas = textbook::LectureFormulas<Quad>;
-
   Scene scene_;
   textbook::World<Quad, Formulas> world_;
   QuadLimit limit_;
@@ -179,8 +230,9 @@ Oracle::Oracle(const Scene& scene, const Camera& camera, int width, int height, 
       height_(height),
       options_(options),
       work_(work),
-      as_written_(std::make_unique<View>(scene, camera, *this)),
-      moved_(patterns) {}
+      as_written_(std::make_unique<ViewBy<textbook::LectureFormulas<Quad>>>(
+          scene, camera, *this, textbook::LectureFormulas<Quad>{})),
+      moved_(patterns + rounded_patterns) {}
 
 Oracle::~Oracle() = default;
 
@@ -188,11 +240,22 @@ std::optional<Rgb<Quad>> Oracle::colour(int x, int y) const { return as_written_
 
 std::optional<Rgb<Quad>> Oracle::colour_when_moved(int x, int y, int pattern) const {
   auto& view = moved_[static_cast<std::size_t>(pattern)];
-  if (!view) {
-    view = std::make_unique<View>(with_other_last_digits(scene_, pattern),
-                                  with_other_last_digits(camera_, pattern), *this);
-  }
+  if (!view) view = moved_view(pattern);
   return view->at(x, y);
+}
+
+std::unique_ptr<Oracle::View> Oracle::moved_view(int pattern) const {
+  const bool is_rounded = pattern >= patterns;
+  const int way = is_rounded ? (pattern - patterns) % free_patterns : pattern;
+  Scene scene = with_other_last_digits(scene_, way);
+  const Camera camera = with_other_last_digits(camera_, way);
+  if (!is_rounded) {
+    return std::make_unique<ViewBy<textbook::LectureFormulas<Quad>>>(std::move(scene), camera, *this,
+                                                                     textbook::LectureFormulas<Quad>{});
+  }
+  RoundedFormulas formulas;
+  formulas.table.seed = static_cast<std::uint32_t>(pattern);
+  return std::make_unique<ViewBy<RoundedFormulas>>(std::move(scene), camera, *this, formulas);
 }
 
 std::optional<Answers> Oracle::answers(int x, int y) const {

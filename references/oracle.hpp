@@ -61,6 +61,7 @@ class Oracle {
  public:
   static constexpr int free_patterns = 32;  ///< that move each number by its own
   static constexpr int patterns = 48;
+  static constexpr int rounded_patterns = 64;  ///< after them, that also round anew at each ray and shape
 
   /// All must outlive it.
   Oracle(const Scene& scene, const Camera& camera, int width, int height, const RenderOptions& options,
@@ -72,15 +73,20 @@ class Oracle {
   /// Linear colour of the pixel centre; row 0 is the top row. Nothing when the pixel has more rays than are
   /// traced (most_rays_of_pixel).
   std::optional<Rgb<Quad>> colour(int x, int y) const;
-  /// The same in the scene that a pattern in 0..47 gives; its world is made when it is first asked for.
+  /// The same in the scene that a pattern in 0..47 gives, and, from 48 to 111, with rays that are rounded
+  /// anew; its world is made when it is first asked for.
   std::optional<Rgb<Quad>> colour_when_moved(int x, int y, int pattern) const;
 
-  /// The answers of the scene and of all its moves. Nothing as above, or when the work is over before the
+  /// The answers of the scene and of its 48 moves. Nothing as above, or when the work is over before the
   /// end.
   std::optional<Answers> answers(int x, int y) const;
 
  private:
   class View;
+  template <class Formulas>
+  class ViewBy;
+
+  std::unique_ptr<View> moved_view(int pattern) const;
 
   const Scene& scene_;
   const Camera& camera_;

@@ -9,6 +9,7 @@
 
 #include "references/digest.hpp"
 #include "references/directory_lock.hpp"
+#include "references/held_signals.hpp"
 #include "tracer/image/files.hpp"
 #include "tracer/image/io.hpp"
 
@@ -80,6 +81,7 @@ void StoredReferences::store(StoredReference entry, const Image& image) {
   std::filesystem::create_directories(directory_);
   const DirectoryLock lock(directory_);
   entries_ = StoredReferences(directory_).entries_;  // others may have stored since
+  const HeldSignals held;                            // no signal comes between the picture and its record
   write_image(directory_ + "/" + entry.image, image, Encoding::linear);
   const auto same = std::find_if(entries_.begin(), entries_.end(),
                                  [&](const StoredReference& e) { return e.scene == entry.scene; });

@@ -240,7 +240,7 @@ void judge(const AttributionJob& job, SceneResult& result) {
     result.budget = attribute(job);
     settle_undecided(job, result.budget);
   }
-  if (result.judgement) refute(*result.judgement, result.budget);
+  if (result.judgement) reconcile(*result.judgement, result.budget);
   const std::string broken = broken_bound(result.budget, result.width, result.height);
   const bool agrees = result.budget.count(Cause::unexplained) == 0 && broken.empty();
   result.status = agrees ? Status::agree : Status::differ;

@@ -15,6 +15,7 @@
 #include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <stdexcept>
@@ -105,7 +106,9 @@ unsigned a_new_user() {
 /// The whole number behind the key in bubblewrap's JSON; -1 when it is not there.
 int number_behind(const std::string& text, const std::string& key) {
   const std::size_t at = text.find("\"" + key + "\":");
-  return at == std::string::npos ? -1 : std::atoi(text.c_str() + at + key.size() + 3);
+  return at == std::string::npos
+             ? -1
+             : static_cast<int>(std::strtol(text.c_str() + at + key.size() + 3, nullptr, 10));
 }
 
 std::string all_of(int file) {

@@ -62,7 +62,8 @@ void remove_left_behind(const fs::path& parent) {
   for (const auto& entry : fs::directory_iterator(parent, none)) {
     const std::string name = entry.path().filename().string();
     if (!name.starts_with(name_prefix)) continue;
-    const int owner = std::atoi(name.c_str() + std::char_traits<char>::length(name_prefix));
+    const auto owner = static_cast<int>(
+        std::strtol(name.c_str() + std::char_traits<char>::length(name_prefix), nullptr, 10));
     if (owner > 0 && kill(owner, 0) != 0 && errno == ESRCH) rmdir(entry.path().c_str());
   }
 }

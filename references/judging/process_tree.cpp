@@ -60,7 +60,8 @@ std::vector<ProcessState> all_processes() {
   if (!directory) return all;
   while (const dirent* entry = readdir(directory.get())) {
     if (std::isdigit(static_cast<unsigned char>(entry->d_name[0])) == 0) continue;
-    if (const auto state = state_of(std::atoi(entry->d_name))) all.push_back(*state);
+    if (const auto state = state_of(static_cast<int>(std::strtol(entry->d_name, nullptr, 10))))
+      all.push_back(*state);
   }
   return all;
 }

@@ -1,5 +1,7 @@
 #include "references/judging/run_tracer.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
@@ -157,6 +159,17 @@ std::string last_words(const std::string& printed) {
   return "; its last words: " + printed.substr(begin, std::min(longest, end + 1 - begin));
 }
 
+/// Run as root, programs become somebody else: what its owner alone may execute would have run for the owner.
+void require_executable_by_others(const std::string& program) {
+  std::error_code none;
+  const fs::perms may = fs::status(program, none).permissions();
+  constexpr fs::perms own = fs::perms::owner_exec,
+                      of_others = fs::perms::others_exec | fs::perms::others_read;
+  if (none || geteuid() != 0 || (may & own) != own || (may & of_others) == of_others) return;
+  throw std::runtime_error(program + ": others may not execute it, and a program that root judges runs as " +
+                           "somebody else; expected chmod go+rx");
+}
+
 /// True when the run itself is the verdict.
 bool ended_badly(const SandboxRun& run, JudgedPicture& result) {
   result.printed = run.printed;
@@ -232,6 +245,7 @@ std::string picture_of_run(const Submission& submission, const JudgedScene& scen
       substituted(options.command,
                   {{"scene", inside + ".sdf"}, {"image", inside + ".ppm"}, {"submission", submission.path}});
   const SandboxRun run = fair_run(command, view_for(submission, options, work.path()), options.limits);
+  if (!run.not_executed.empty()) require_executable_by_others(command.front());
   if (ended_badly(run, result)) return {};
   Found found = Found::nothing;
   const std::vector<std::string> names{scene.name + ".ppm", name_in_scene(scene)};

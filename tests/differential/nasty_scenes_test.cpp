@@ -144,6 +144,37 @@ INSTANTIATE_TEST_SUITE_P(
         Ties{"the eye on an edge and in glass",
              "define shape box a 0 -1 -9 2 0 2 glass\ndefine shape box b -3 -3 -9 3 0 -2 red\n"}));
 
+/// The picture of the scene from an eye at that height.
+Image seen_from(const std::string& shapes, double height) {
+  const ReadResult read = read_scene(std::string(materials) + shapes);
+  Scene scene = read.scene;
+  scene.cameras.front().eye.y = height;
+  RenderJob job = job_of(scene, {});
+  EXPECT_EQ(pixels_apart(scene, job), 0U) << shapes << height;
+  return textbook::render(scene, scene.cameras.front(), job);
+}
+
+/// A ray that goes in sees what it would see from within, one that goes out what it would from without.
+TEST(EyeOnGlass, IsInsideForTheRaysThatGoIn) {
+  for (const char* shapes :
+       {"define shape sphere a 0 1.3 0 1 glass\n", "define shape box a -1.03 0.3 -1.07 1.01 2.02 1 glass\n",
+        "define shape sphere a 0 1.3 0 1 thin\ndefine shape sphere b 0 1.3 0 1 glass\n",
+        "define shape box a -9 -9 -9 9 9 9 glass\ndefine shape sphere b 0 1.3 0 1 thin\n"}) {
+    const Image on = seen_from(shapes, 0.3);
+    const Image above = seen_from(shapes, 0.3 + 1e-7), below = seen_from(shapes, 0.3 - 1e-7);
+    for (int y = 0; y < on.height; ++y) {
+      for (int x = 0; x < on.width; ++x) {
+        const Image& expected = y < on.height / 2 ? above : below;  // the rays go up in the upper half
+        for (int c = 0; c < 3; ++c) {
+          // Because the eye is 1e-7 aside, and the normals of the sphere turn it by no more than 100 times
+          // that.
+          EXPECT_NEAR(on.pixel(x, y)[c], expected.pixel(x, y)[c], 1e-4) << shapes << x << " " << y;
+        }
+      }
+    }
+  }
+}
+
 /// PLUMB_NASTY_JUDGED says how many are compared with POV-Ray.
 TEST(NastyScenes, NoOutputContradictsAnother) {
   const Workplace workplace;

@@ -1,5 +1,7 @@
 // `plumb judge` of a class in which something goes wrong: the others keep their results, and a run that is
 // interrupted goes on.
+#include <unistd.h>
+
 #include <nlohmann/json.hpp>
 
 #include "references/judging/sandbox.hpp"
@@ -63,6 +65,24 @@ TEST_F(JudgeClass, ADiskThatIsFullForOneIsItsTrouble) {
   EXPECT_TRUE(contains(again.output, "2 results")) << again.output;
   EXPECT_NE(verdicts()["ben"], "trouble");
   EXPECT_FALSE(exists("j.json.judged.jsonl"));
+}
+
+TEST_F(JudgeClass, AProgramThatItsOwnerAloneMayExecuteIsTroubleOfRoot) {
+  fs::permissions(workplace_.directory(), fs::perms(0755));
+  for (const auto& [name, mode] :
+       std::map<std::string, unsigned>{{"ada", 0755}, {"ben", 0700}, {"cy", 0644}}) {
+    hand_in(name, "#!/bin/sh\ncat '" + workplace_.path("right.ppm") + "' >\"$2\"\n", "run.sh");
+    fs::permissions(workplace_.path("in/" + name + "/run.sh"), fs::perms(mode));
+  }
+  fs::permissions(workplace_.path("right.ppm"), fs::perms(0644));
+  const auto told =
+      shell("$JUDGE --renderer '{submission}/run.sh {scene} {image}' --submissions in --readable '" +
+            workplace_.path("right.ppm") + "' --json j.json");
+  const bool is_root = geteuid() == 0;
+  EXPECT_EQ(verdicts(),
+            (Verdicts{{"ada", "right"}, {"ben", is_root ? "trouble" : "right"}, {"cy", "crashed"}}))
+      << told.output;
+  EXPECT_EQ(contains(json()["pictures"][1]["message"], "chmod go+rx"), is_root) << json();
 }
 
 TEST_F(JudgeClass, AReportThatCannotBeWrittenCostsNoOtherOutput) {

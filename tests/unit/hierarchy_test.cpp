@@ -9,6 +9,7 @@
 #include <string>
 
 #include "tests/support/random_scene.hpp"
+#include "tracer/formulas/quad.hpp"
 #include "tracer/formulas/sphere.hpp"
 #include "tracer/scene/check_hierarchy.hpp"
 #include "tracer/scene/dielectrics.hpp"
@@ -85,6 +86,44 @@ TEST(Hierarchy, DielectricsAroundAPointAreThoseOfAWalk) {
   }
   EXPECT_GT(found, 1000U);  // or nothing was tested
   EXPECT_GT(nested, 20U);
+}
+
+/// Of the ray, as outermost first.
+template <class Real>
+std::vector<std::uint64_t> around(const DielectricsAroundEye<Real>& eye, const Vec3<Real>& direction) {
+  std::vector<std::uint64_t> instances;
+  for (const EnclosingDielectric& d : eye.of_ray(glm::normalize(direction))) instances.push_back(d.instance);
+  return instances;
+}
+
+template <class Real>
+class DielectricsAroundAnEye : public testing::Test {};
+using Reals = testing::Types<float, double, long double, Quad>;
+TYPED_TEST_SUITE(DielectricsAroundAnEye, Reals);
+
+TYPED_TEST(DielectricsAroundAnEye, OnGlassAreThoseThatTheRayGoesInto) {
+  using V = Vec3<TypeParam>;
+  // The eye is on the ball, on the upper face of the block, and in the hall; 0.1 and 0.3 are no binary
+  // numbers.
+  const Scene scene = read_scene(
+                          "define material glass 0 0 0 0 0 0 0 0 0 1 transmit 1 1 1 eta 1.5\n"
+                          "define shape box hall -9 -9 -9 9 9 9 glass\n"
+                          "define shape sphere ball 0.125 0.5 -0.25 0.375 glass\n"
+                          "define shape box block -1 -1 -1 1 0.125 1 glass\n"
+                          "define shape box aside 2 0.125 -1 3 2 1 glass\n")
+                          .scene;
+  const V eye(Vec3d(0.125, 0.125, -0.25));
+  const DielectricsAroundEye<TypeParam> on(scene, eye, V(0, 0, -1));
+  ASSERT_TRUE(on.is_on_surface());
+  using Instances = std::vector<std::uint64_t>;
+  EXPECT_EQ(around(on, V(0, 1, 0)), (Instances{0, 1}));
+  EXPECT_EQ(around(on, V(TypeParam(0.3), TypeParam(0.1), TypeParam(0.2))), (Instances{0, 1}));
+  EXPECT_EQ(around(on, V(0, -1, 0)), (Instances{0, 2}));
+  EXPECT_EQ(around(on, V(TypeParam(0.3), TypeParam(-0.1), TypeParam(0.2))), (Instances{0, 2}));
+
+  const DielectricsAroundEye<TypeParam> beside(scene, eye + V(0, TypeParam(0.01), 0), V(0, 0, -1));
+  EXPECT_FALSE(beside.is_on_surface());
+  EXPECT_EQ(around(beside, V(0, -1, 0)), (Instances{0, 1}));
 }
 
 TEST(Hierarchy, DielectricsOfABillionInstancesAreFoundByTheirNumbers) {

@@ -51,12 +51,12 @@ class JudgedPictures : public testing::Test {
 TEST_F(JudgedPictures, NothingIsJudgedWhereTheyAgree) { EXPECT_TRUE(judged(right_, right_).pixels.empty()); }
 
 TEST_F(JudgedPictures, NothingExplainsAPixelAtWhichOursIsWrong) {
-  const auto budget_beside = [](Verdict verdict) {
+  const auto budget_beside = [](Verdict verdict, Cause cause = Cause::silhouette) {
     Judgement judgement;
     judgement.pixels.push_back({3, 4, verdict, {}, {}, {}});
     Budget budget;
-    budget.pixels = {{2, 4, Cause::silhouette}, {3, 4, Cause::silhouette}, {4, 3, Cause::silhouette}};
-    refute(judgement, budget);
+    budget.pixels = {{2, 4, Cause::silhouette}, {3, 4, cause}, {4, 3, Cause::silhouette}};
+    reconcile(judgement, budget);
     EXPECT_EQ(budget.pixels[0].cause, Cause::silhouette) << "another pixel";
     EXPECT_EQ(budget.pixels[2].cause, Cause::silhouette) << "another pixel";
     return budget.pixels[1].cause;
@@ -65,6 +65,8 @@ TEST_F(JudgedPictures, NothingExplainsAPixelAtWhichOursIsWrong) {
   EXPECT_EQ(budget_beside(Verdict::both_wrong), Cause::unexplained);
   EXPECT_EQ(budget_beside(Verdict::reference_wrong), Cause::silhouette);
   EXPECT_EQ(budget_beside(Verdict::undecided), Cause::silhouette);
+  EXPECT_EQ(budget_beside(Verdict::undecided, Cause::unexplained), Cause::undecided);
+  EXPECT_EQ(budget_beside(Verdict::reference_wrong, Cause::unexplained), Cause::unexplained);
 }
 
 TEST_F(JudgedPictures, TheWrongSideIsNamed) {

@@ -25,18 +25,15 @@ View<Real> view_of(const Scene& scene, const Camera& camera, const RenderJob& jo
   const CameraPose<Real> pose = pose_of<Real>(camera);
   const Mat4<Real> matrix = formulas::camera_matrix(pose.eye, pose.direction, pose.up);
   const Real distance = formulas::image_plane_distance(static_cast<Real>(camera.fov_x_degrees));
-  View<Real> view{pose.eye,
-                  Vec3<Real>(matrix[0]),
-                  Vec3<Real>(matrix[1]),
-                  -distance * Vec3<Real>(matrix[2]),
-                  job.width,
-                  job.height,
-                  sample_points(job.samples, job.pattern),
-                  {},
-                  job.options};
-  const CameraPose<double> exact = pose_of<double>(camera);
-  view.around_the_eye = dielectrics_around(scene, exact.eye, exact.direction);
-  return view;
+  return View<Real>{pose.eye,
+                    Vec3<Real>(matrix[0]),
+                    Vec3<Real>(matrix[1]),
+                    -distance * Vec3<Real>(matrix[2]),
+                    job.width,
+                    job.height,
+                    sample_points(job.samples, job.pattern),
+                    {scene, pose.eye, pose.direction},
+                    job.options};
 }
 
 std::vector<Tile> tiles_of(int width, int first_row, int end_row, const Settings& settings) {

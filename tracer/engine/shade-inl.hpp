@@ -29,9 +29,8 @@ class Shader final : public TileRenderer<Real> {
  public:
   Shader(const CompiledScene<Real>& scene, const View<Real>& view)
       : scene_(scene), view_(view), surfaces_(scene), finder_(scene, statistics_) {
-    for (const EnclosingDielectric& around : view.around_the_eye)
-      around_the_eye_ =
-          interiors_.cross(around_the_eye_, around.instance, static_cast<Real>(around.eta)).interior;
+    around_the_eye_ = inside_of(view.around_the_eye.ahead());
+    media_around_the_eye_ = interiors_.size();
     set_what_camera_rays_share();
   }
 
@@ -42,7 +41,7 @@ class Shader final : public TileRenderer<Real> {
       level.size = start_tile(tile, sample);
       statistics_.camera_rays += level.size;
       trace(0);
-      interiors_.shrink(view_.around_the_eye.size());
+      interiors_.shrink(media_around_the_eye_);
       if (view_.samples.size() > 1) add_sample(level, &sample == &view_.samples.front());
     }
     if (view_.samples.size() > 1)
@@ -115,6 +114,13 @@ class Shader final : public TileRenderer<Real> {
     }
   }
 
+  std::int32_t inside_of(const std::vector<EnclosingDielectric>& outermost_first) {
+    std::int32_t stack = Interiors<Real>::nothing;
+    for (const EnclosingDielectric& around : outermost_first)
+      stack = interiors_.cross(stack, around.instance, static_cast<Real>(around.eta)).interior;
+    return stack;
+  }
+
   void set_what_camera_rays_share() {
     Level<Real>& level = level_at(0);
     level.interior.fill(around_the_eye_);
@@ -143,6 +149,10 @@ class Shader final : public TileRenderer<Real> {
       const V<Real> y = hn::Mul(hn::Sub(hn::Sub(middle_y, hn::Add(above, load(&pixel_y_[i]))), in_y), pixel);
       const V3<Real> across = scaled<Real>(set3(view_.right), x), along = scaled<Real>(set3(view_.up), y);
       store3<Real>(normalised<Real>(add<Real>(add<Real>(across, along), forward)), level.rays.direction, i);
+    }
+    if (view_.around_the_eye.is_on_surface()) {
+      for (std::size_t i = 0; i < size; ++i)
+        level.interior[i] = inside_of(view_.around_the_eye.of_ray(vector_at(level.rays.direction, i)));
     }
     return size;
   }
@@ -495,7 +505,8 @@ class Shader final : public TileRenderer<Real> {
   bool knows_whole_tile_ = false;  ///< whether they, and the parents of camera rays, are of one
   Lanes3<Real> delta_;             ///< of lights seen through glass
   Interiors<Real> interiors_;
-  std::int32_t around_the_eye_ = Interiors<Real>::nothing;
+  std::int32_t around_the_eye_ = Interiors<Real>::nothing;  // of every ray, unless the eye lies on glass
+  std::size_t media_around_the_eye_ = 0;
   Statistics statistics_;
   Surfaces<Real> surfaces_;
   Finder<Real> finder_;

@@ -23,7 +23,7 @@ struct View {
   Vec3<Real> eye, right, up, forward;
   int width, height;  ///< of the picture
   std::vector<SamplePoint> samples;
-  std::vector<EnclosingDielectric> around_the_eye;
+  DielectricsAroundEye<Real> around_the_eye;
   RenderOptions options;
 };
 

@@ -6,29 +6,45 @@
 #include <optional>
 #include <unordered_map>
 
+#include "tracer/formulas/quad.hpp"
 #include "tracer/formulas/sphere.hpp"
 #include "tracer/scene/hierarchy.hpp"
 
 namespace plumb {
 namespace {
 
-/// Where a ray that starts strictly inside leaves; no value when it starts outside.
-std::optional<double> exit_distance(const Shape& shape, const Ray<double>& ray) {
-  if (const auto* sphere = std::get_if<Sphere>(&shape.geometry)) {
-    const Vec3d offset = ray.origin - sphere->center;
-    if (glm::dot(offset, offset) >= sphere->radius * sphere->radius) return std::nullopt;
-    return formulas::intersect_sphere(ray, sphere->center, sphere->radius, false);
-  }
-  const Box& box = std::get<Box>(shape.geometry);
-  const bool inside =
-      glm::all(glm::lessThan(box.min, ray.origin)) && glm::all(glm::lessThan(ray.origin, box.max));
-  if (!inside) return std::nullopt;
-  const auto hit = formulas::intersect_box(ray, Corners<double>{box.min, box.max}, no_face);
-  return hit ? std::optional(hit->t) : std::nullopt;
+/// Where the ray leaves the shape; no value where it enters it first, or misses.
+template <class Real>
+std::optional<Real> exit_distance(const Sphere& sphere, const Ray<Real>& ray) {
+  const Vec3<Real> center(sphere.center);
+  const auto t = formulas::intersect_sphere(ray, center, static_cast<Real>(sphere.radius), false);
+  if (!t) return std::nullopt;
+  const Vec3<Real> normal = formulas::sphere_normal(formulas::point_at(ray, *t), center);
+  return glm::dot(normal, ray.direction) > 0 ? t : std::nullopt;
+}
+template <class Real>
+std::optional<Real> exit_distance(const Box& box, const Ray<Real>& ray) {
+  const auto hit =
+      formulas::intersect_box(ray, Corners<Real>{Vec3<Real>(box.min), Vec3<Real>(box.max)}, no_face);
+  if (!hit) return std::nullopt;
+  return glm::dot(formulas::box_normal<Real>(hit->face), ray.direction) > 0 ? std::optional(hit->t)
+                                                                            : std::nullopt;
+}
+
+/// Whether a surface of the shape is within the margin, or may be.
+bool is_near_surface(const Sphere& sphere, const Vec3d& place, double margin) {
+  return std::abs(glm::length(place - sphere.center) - sphere.radius) <= margin;
+}
+bool is_near_surface(const Box& box, const Vec3d& place, double margin) {
+  const Vec3d outside = glm::max(box.min - place, place - box.max);  // negative between two planes
+  return std::abs(std::max({outside.x, outside.y, outside.z})) <= margin;
 }
 
 /// Far more than products of matrices round, so that no glass is passed by: all that costs is a look at more.
-constexpr double slack = 1e-9;
+template <class Real>
+constexpr double slack = std::max(1e-9, 4 * static_cast<double>(formulas::resolution<Real>()));
+
+double largest(const Vec3d& v) { return std::max({v.x, v.y, v.z}); }
 
 /// A box around the glass of a subtree, with room for rounding; empty at first.
 struct Room {
@@ -40,7 +56,7 @@ struct Room {
     max = glm::max(max, high);
   }
   /// What is not a number counts as inside.
-  bool excludes(const Vec3d& p, const Vec3d& margin) const {
+  bool excludes(const Vec3d& p, double margin) const {
     return glm::any(glm::lessThan(p + margin, min)) || glm::any(glm::greaterThan(p - margin, max));
   }
   /// Around what the matrix makes of it; everything when that overflows.
@@ -48,33 +64,48 @@ struct Room {
     const Vec3d middle = formulas::transform_point(m, (min + max) / 2.0);
     const Vec3d rounding =
         formulas::absolute_product(m, glm::max(glm::abs(min), glm::abs(max))) + glm::abs(Vec3d(m[3]));
-    const Vec3d half = formulas::absolute_product(m, (max - min) / 2.0) + slack * rounding;
+    const Vec3d half = formulas::absolute_product(m, (max - min) / 2.0) + slack<double> * rounding;
     const bool is_known = std::isfinite(glm::dot(Vec3d(1), half) + glm::dot(Vec3d(1), glm::abs(middle)));
     return is_known ? Room{middle - half, middle + half} : Room{-Room{}.min, -Room{}.max};
   }
 };
 
-/// Descends only where glass can be about the point, and counts the instances of the rest.
-class Search {
+}  // namespace
+
+/// Descends only where glass can be about the eye, and counts the instances of the rest.
+template <class Real>
+class DielectricsAroundEye<Real>::Search {
  public:
-  Search(const Scene& scene, const Ray<double>& ray)
-      : scene_(scene), ray_(ray), counts_(count_instances(scene)) {
+  Search(const Scene& scene, const Vec3<Real>& eye)
+      : scene_(scene), eye_(eye), counts_(count_instances(scene)) {
     for (const ShapeId id : order_of_composites(scene).children_first) add_room(id);
   }
 
-  std::vector<EnclosingDielectric> run() {
-    visit_all(scene_.roots(), Transform<double>{}, 0);
-    std::stable_sort(found_.begin(), found_.end(),
-                     [](const Found& a, const Found& b) { return a.exit > b.exit; });
-    std::vector<EnclosingDielectric> sorted;
-    for (const Found& f : found_) sorted.push_back(f.dielectric);
-    return sorted;
+  struct Found {
+    std::vector<EnclosingDielectric> around;  ///< outermost first
+    bool is_on_surface = false;               ///< the eye, of some glass, as far as this real type can tell
+  };
+
+  Found along(const Vec3<Real>& direction) const {
+    Walk walk{{eye_, direction}, {}};
+    walk.ray.t_min = formulas::resolution<Real>() * static_cast<Real>(largest(glm::abs(Vec3d(eye_))));
+    visit_all(scene_.roots(), Transform<Real>{}, 0, walk);
+    std::stable_sort(walk.left.begin(), walk.left.end(),
+                     [](const Left& a, const Left& b) { return a.exit > b.exit; });
+    Found found{{}, walk.is_on_surface};
+    for (const Left& l : walk.left) found.around.push_back(l.dielectric);
+    return found;
   }
 
  private:
-  struct Found {
-    double exit;
+  struct Left {
+    Real exit;
     EnclosingDielectric dielectric;
+  };
+  struct Walk {
+    Ray<Real> ray;
+    std::vector<Left> left;
+    bool is_on_surface = false;
   };
 
   bool is_glass(MaterialId material) const { return scene_.materials[material].transmits(); }
@@ -105,47 +136,88 @@ class Search {
     return room == rooms_.end() ? std::nullopt : std::optional(room->second.moved(m));
   }
 
-  void visit_all(const std::vector<ShapeId>& children, const Transform<double>& parent,
-                 std::uint64_t instance) {
+  void visit_all(const std::vector<ShapeId>& children, const Transform<Real>& parent, std::uint64_t instance,
+                 Walk& walk) const {
     for (const ShapeId id : children) {
-      visit(id, parent, instance);
+      visit(id, parent, instance, walk);
       instance += counts_[id];
     }
   }
 
-  void visit(ShapeId id, const Transform<double>& parent, std::uint64_t instance) {
+  void visit(ShapeId id, const Transform<Real>& parent, std::uint64_t instance, Walk& walk) const {
     const Shape& shape = scene_.shapes[id];
     const MaterialId* material = material_of(shape);
     const auto room = rooms_.find(id);
     if (material == nullptr ? room == rooms_.end() : !is_glass(*material)) return;
-    const Transform<double> here =
-        shape.transform.empty() ? parent : formulas::compose(parent, transform_of<double>(shape.transform));
-    Ray<double> ray = formulas::transform_ray(here.inverse, ray_);
-    ray.world_length = formulas::absolute_product(here.inverse, ray_.world_length);
+    const Transform<Real> here =
+        shape.transform.empty() ? parent : formulas::compose(parent, transform_of<Real>(shape.transform));
+    Ray<Real> ray = formulas::transform_ray(here.inverse, walk.ray);
+    ray.t_min = walk.ray.t_min;
+    ray.world_length = formulas::absolute_product(here.inverse, walk.ray.world_length);
+    const Vec3d place(ray.origin);
     if (material == nullptr) {
-      const Vec3d rounding =
-          formulas::absolute_product(here.inverse, glm::abs(ray_.origin)) + glm::abs(Vec3d(here.inverse[3]));
-      if (room->second.excludes(ray.origin, slack * rounding)) return;
-      visit_all(children_of(shape), here, instance);
-    } else if (const auto exit = exit_distance(shape, ray)) {
-      found_.push_back({*exit, {instance, scene_.materials[*material].eta}});
+      if (!room->second.excludes(place, margin(here.inverse, ray)))
+        visit_all(children_of(shape), here, instance, walk);
+    } else if (const auto* sphere = std::get_if<Sphere>(&shape.geometry)) {
+      look_at(*sphere, ray, place, margin(here.inverse, ray), {instance, scene_.materials[*material].eta},
+              walk);
+    } else {
+      look_at(std::get<Box>(shape.geometry), ray, place, margin(here.inverse, ray),
+              {instance, scene_.materials[*material].eta}, walk);
     }
   }
 
+  template <class Geometry>
+  static void look_at(const Geometry& shape, const Ray<Real>& ray, const Vec3d& place, double margin,
+                      const EnclosingDielectric& dielectric, Walk& walk) {
+    // What is not a number is near.
+    walk.is_on_surface = walk.is_on_surface || is_near_surface(shape, place, margin);
+    if (const auto exit = exit_distance(shape, ray)) walk.left.push_back({*exit, dielectric});
+  }
+
+  /// What the roundings of the eye's place come to, and t_min, in the space of the ray.
+  double margin(const Mat4<Real>& inverse, const Ray<Real>& ray) const {
+    const Vec3d eye = glm::abs(Vec3d(eye_));
+    const Mat4<double> m(inverse);
+    return slack<Real> * (largest(formulas::absolute_product(m, eye) + glm::abs(Vec3d(m[3]))) +
+                          largest(eye) * largest(Vec3d(ray.world_length)));
+  }
+
   const Scene& scene_;
-  Ray<double> ray_;
+  Vec3<Real> eye_;
   std::vector<std::uint64_t> counts_;
   std::unordered_map<ShapeId, Room> rooms_;  ///< of composites with glass below, in their own space
-  std::vector<Found> found_;
 };
 
-}  // namespace
+template <class Real>
+DielectricsAroundEye<Real>::DielectricsAroundEye(const Scene& scene, const Vec3<Real>& eye,
+                                                 const Vec3<Real>& direction) {
+  const bool any = std::any_of(scene.materials.begin(), scene.materials.end(),
+                               [](const Material& m) { return m.transmits(); });
+  if (!any) return;
+  auto search = std::make_unique<Search>(scene, eye);
+  auto found = search->along(glm::normalize(direction));
+  ahead_ = std::move(found.around);
+  if (found.is_on_surface) search_ = std::move(search);
+}
+template <class Real>
+DielectricsAroundEye<Real>::~DielectricsAroundEye() = default;
+template <class Real>
+DielectricsAroundEye<Real>::DielectricsAroundEye(DielectricsAroundEye&&) noexcept = default;
+
+template <class Real>
+std::vector<EnclosingDielectric> DielectricsAroundEye<Real>::of_ray(const Vec3<Real>& direction) const {
+  return search_ ? search_->along(direction).around : ahead_;
+}
+
+template class DielectricsAroundEye<float>;
+template class DielectricsAroundEye<double>;
+template class DielectricsAroundEye<long double>;
+template class DielectricsAroundEye<Quad>;
 
 std::vector<EnclosingDielectric> dielectrics_around(const Scene& scene, const Vec3d& point,
                                                     const Vec3d& direction) {
-  const bool any = std::any_of(scene.materials.begin(), scene.materials.end(),
-                               [](const Material& m) { return m.transmits(); });
-  return any ? Search(scene, Ray<double>{point, direction}).run() : std::vector<EnclosingDielectric>{};
+  return DielectricsAroundEye<double>(scene, point, direction).ahead();
 }
 
 }  // namespace plumb

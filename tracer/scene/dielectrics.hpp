@@ -1,7 +1,8 @@
-// Which transmissive objects are around a point, for cameras inside glass.
+// Which transmissive objects are around the eye, for cameras inside glass.
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "tracer/scene/scene.hpp"
@@ -17,5 +18,30 @@ struct EnclosingDielectric {
 /// given direction leaves them in the reverse order.
 std::vector<EnclosingDielectric> dielectrics_around(const Scene& scene, const Vec3d& point,
                                                     const Vec3d& direction);
+
+/// The same for all rays from one eye, in the real type that traces them. A ray is inside of what it leaves
+/// before it enters it. What a ray meets up to t_min does not count (see formulas::resolution), so an eye
+/// that lies on a surface by all that rounding can tell is inside for the rays that go in, and outside for
+/// those that go out.
+template <class Real>
+class DielectricsAroundEye {
+ public:
+  /// The scene must outlive it. The direction is the one that the camera looks in.
+  DielectricsAroundEye(const Scene& scene, const Vec3<Real>& eye, const Vec3<Real>& direction);
+  ~DielectricsAroundEye();
+  DielectricsAroundEye(DielectricsAroundEye&&) noexcept;
+
+  /// Of the ray that the camera looks along; of every ray, unless the eye lies on a surface.
+  const std::vector<EnclosingDielectric>& ahead() const { return ahead_; }
+  bool is_on_surface() const { return search_ != nullptr; }
+  /// Outermost first; the direction is a unit vector.
+  std::vector<EnclosingDielectric> of_ray(const Vec3<Real>& direction) const;
+
+ private:
+  class Search;
+
+  std::unique_ptr<Search> search_;  ///< when each ray has to be asked
+  std::vector<EnclosingDielectric> ahead_;
+};
 
 }  // namespace plumb

@@ -21,24 +21,31 @@ class Tracer {
         width_(width),
         height_(height),
         options_(options),
-        observer_(observer) {
+        observer_(observer),
+        around_the_eye_(world.dielectrics_around(pose_of<Real>(camera))),
+        ahead_(interiors_of(around_the_eye_.ahead())) {
     const CameraPose<Real> pose = f_->camera_pose(camera);
     eye_ = pose.eye;
     world_from_camera_ = f_->camera_matrix(pose.eye, pose.direction, pose.up);
     distance_ = f_->image_plane_distance(static_cast<Real>(camera.fov_x_degrees));
-    for (const EnclosingDielectric& around : world.dielectrics_around(camera)) {
-      around_the_eye_.cross(around.instance, static_cast<Real>(around.eta));
-    }
   }
 
   /// Linear colour of the pixel centre; row 0 is the top row.
   Rgb<Real> raycast(int x, int y) const {
     const Vec2<Real> on_plane = f_->image_plane_point(x, y, width_, height_);
     const Ray<Real> ray = f_->world_ray(world_from_camera_, f_->camera_ray(on_plane, distance_));
-    return trace(RayKind::camera, ray, {}, around_the_eye_, 0);
+    if (!around_the_eye_.is_on_surface()) return trace(RayKind::camera, ray, {}, ahead_, 0);
+    return trace(RayKind::camera, ray, {}, interiors_of(around_the_eye_.of_ray(ray.direction)), 0);
   }
 
  private:
+  static Interiors<Real> interiors_of(const std::vector<EnclosingDielectric>& outermost_first) {
+    Interiors<Real> inside;
+    for (const EnclosingDielectric& around : outermost_first)
+      inside.cross(around.instance, static_cast<Real>(around.eta));
+    return inside;
+  }
+
   /// `depth` counts the rays before this one; `unbent` the surfaces crossed without raising it.
   Rgb<Real> trace(RayKind kind, const Ray<Real>& ray, SurfaceId start, const Interiors<Real>& interiors,
                   int depth, int unbent = 0) const {
@@ -177,7 +184,8 @@ class Tracer {
   Mat4<Real> world_from_camera_;
   Real distance_;
   Vec3<Real> eye_;
-  Interiors<Real> around_the_eye_;
+  DielectricsAroundEye<Real> around_the_eye_;
+  Interiors<Real> ahead_;
 };
 
 }  // namespace plumb::textbook

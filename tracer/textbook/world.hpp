@@ -43,10 +43,9 @@ class World {
   const Rgb<Real>& background() const { return background_; }
   InstanceId instances() const { return root_->instances(); }
 
-  /// The glass that a camera is inside of, outermost first.
-  std::vector<EnclosingDielectric> dielectrics_around(const Camera& camera) const {
-    const CameraPose<double> pose = pose_of<double>(camera);
-    return plumb::dielectrics_around(scene_, pose.eye, pose.direction);
+  /// The glass that a camera is inside of.
+  DielectricsAroundEye<Real> dielectrics_around(const CameraPose<Real>& pose) const {
+    return {scene_, pose.eye, pose.direction};
   }
 
   /// What is as near to the origin of the ray cannot be told from it, nor what could not at its t_min.
