@@ -120,7 +120,8 @@ Observed empty_for(const Scene& scene) {
 Notes noted(const Scene& scene, const World& world, const Camera& camera, const RenderJob& job,
             const SpreadPixels& order, std::size_t begin, std::size_t end, double& rays) {
   Notes notes{scene, {}, empty_for(scene)};
-  for (const EnclosingDielectric& d : world.dielectrics_around(pose_of<double>(camera)).ahead())
+  const DielectricsAroundEye<double> around = world.dielectrics_around(pose_of<double>(camera));
+  for (const EnclosingDielectric& d : around.ahead())
     notes.around_the_eye.push_back(d.instance);
   const textbook::Tracer<double, Formulas, Probe> tracer(world, camera, job.width, job.height, job.options,
                                                          Probe(notes));
