@@ -10,7 +10,7 @@
 #include "exporters/ties.hpp"
 #include "tracer/scene/dielectrics.hpp"
 #include "tracer/scene/hierarchy.hpp"
-#include "tracer/scene/writer.hpp"
+#include "tracer/text/numbers.hpp"
 
 namespace plumb::exporters {
 namespace {

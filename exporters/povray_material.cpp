@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "tracer/scene/writer.hpp"
+#include "tracer/text/numbers.hpp"
 
 namespace plumb::exporters {
 namespace {

@@ -2,7 +2,8 @@
 
 #include <cstdio>
 
-#include "tracer/scene/lexer.hpp"
+#include "tracer/text/numbers.hpp"
+#include "tracer/text/words.hpp"
 
 namespace plumb::cli {
 namespace {

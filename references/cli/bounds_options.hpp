@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "references/bounds.hpp"
 #include "references/cli/commands.hpp"
 #include "references/cli/report.hpp"
+#include "references/gates/bounds.hpp"
 
 namespace plumb::cli {
 

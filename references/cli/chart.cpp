@@ -1,15 +1,15 @@
-#include "references/chart/chart.hpp"
+#include "references/studies/chart/chart.hpp"
 
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 
-#include "references/chart/json.hpp"
-#include "references/chart/plot.hpp"
 #include "references/cli/commands.hpp"
 #include "references/cli/options.hpp"
 #include "references/cli/progress.hpp"
 #include "references/cli/report.hpp"
+#include "references/studies/chart/json.hpp"
+#include "references/studies/chart/plot.hpp"
 
 namespace plumb::cli {
 namespace {

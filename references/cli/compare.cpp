@@ -10,10 +10,10 @@
 #include "references/cli/compare_several.hpp"
 #include "references/cli/metrics.hpp"
 #include "references/cli/options.hpp"
-#include "references/image_pairs.hpp"
-#include "references/junit.hpp"
-#include "tracer/image/files.hpp"
+#include "references/gates/image_pairs.hpp"
+#include "references/report/junit.hpp"
 #include "tracer/image/format.hpp"
+#include "tracer/system/files.hpp"
 
 namespace plumb::cli {
 namespace {

@@ -6,7 +6,7 @@
 #include "references/cli/bounds_options.hpp"
 #include "references/cli/compared_contents.hpp"
 #include "references/cli/metrics.hpp"
-#include "references/shape_mismatch.hpp"
+#include "references/comparison/shape_mismatch.hpp"
 
 namespace plumb::cli {
 namespace {

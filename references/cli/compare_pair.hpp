@@ -4,10 +4,10 @@
 #include <optional>
 #include <string>
 
-#include "references/bounds.hpp"
 #include "references/cli/report.hpp"
-#include "references/comparison.hpp"
-#include "references/mismatch.hpp"
+#include "references/comparison/comparison.hpp"
+#include "references/comparison/mismatch.hpp"
+#include "references/gates/bounds.hpp"
 #include "tracer/image/io.hpp"
 
 namespace plumb::cli {

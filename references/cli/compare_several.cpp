@@ -7,15 +7,15 @@
 #include <new>
 #include <stdexcept>
 
-#include "references/bounds_file.hpp"
 #include "references/cli/commands.hpp"
 #include "references/cli/compare_report.hpp"
 #include "references/cli/metrics.hpp"
 #include "references/cli/options.hpp"
-#include "references/difference_image.hpp"
-#include "references/image_pairs.hpp"
-#include "references/junit.hpp"
-#include "tracer/image/files.hpp"
+#include "references/comparison/difference_image.hpp"
+#include "references/gates/bounds_file.hpp"
+#include "references/gates/image_pairs.hpp"
+#include "references/report/junit.hpp"
+#include "tracer/system/files.hpp"
 
 namespace plumb::cli {
 namespace {

@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "references/judging/command_line.hpp"
-#include "references/process.hpp"
+#include "references/submissions/command_line.hpp"
+#include "references/system/process.hpp"
 
 namespace plumb::cli {
 namespace {

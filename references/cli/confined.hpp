@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "references/judging/other_renderer.hpp"
+#include "references/submissions/other_renderer.hpp"
 
 namespace plumb::cli {
 

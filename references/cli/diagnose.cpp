@@ -12,10 +12,11 @@
 #include "references/cli/report.hpp"
 #include "references/diagnosis/handed_in.hpp"
 #include "references/diagnosis/json.hpp"
-#include "references/judging/shown_text.hpp"
+#include "references/submissions/shown_text.hpp"
 #include "references/teaching/tell_apart.hpp"
+#include "tracer/format/reader.hpp"
 #include "tracer/image/io.hpp"
-#include "tracer/scene/reader.hpp"
+#include "tracer/system/installation.hpp"
 
 namespace plumb::cli {
 namespace {
@@ -39,7 +40,7 @@ std::vector<TellApart> scenes_that_tell_apart(const references::Diagnosis& diagn
   std::vector<references::teaching::Lesson> lessons;
   for (const references::FoundFault& found : diagnosis.faults) {
     if (found.alike.empty()) continue;
-    if (lessons.empty()) lessons = references::teaching::lessons_in(PLUMB_SOURCE_DIRECTORY "/tests/scenes");
+    if (lessons.empty()) lessons = references::teaching::lessons_in(data_directory(Data::scenes));
     std::vector<const references::Fault*> faults{found.fault};
     faults.insert(faults.end(), found.alike.begin(), found.alike.end());
     all.push_back({faults, references::teaching::scene_that_tells_apart(lessons, faults)});

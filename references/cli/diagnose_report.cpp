@@ -7,7 +7,8 @@
 #include "references/report/escape.hpp"
 #include "references/report/own_page.hpp"
 #include "references/teaching/pages.hpp"
-#include "tracer/image/files.hpp"
+#include "tracer/system/files.hpp"
+#include "tracer/system/installation.hpp"
 
 namespace plumb::cli {
 namespace {
@@ -59,7 +60,7 @@ std::string told(const references::FoundFault& found, int hint) {
   if (hint == 2)
     return "<section><h3>" + html_escaped(fault.explanation) + "</h3><p>Slide &ldquo;" +
            html_escaped(fault.slide) + "&rdquo;</p>" + figures_of(found) + "</section>";
-  const std::string scenes = PLUMB_SOURCE_DIRECTORY "/tests/scenes";
+  const std::string scenes = data_directory(Data::scenes);
   std::string html = teaching::section_of(fault, scenes, figures_of(found));
   for (const Fault* other : found.alike)
     html += "<p>It may be this instead, which gives the same picture here:</p>" +

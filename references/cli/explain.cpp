@@ -1,4 +1,4 @@
-#include "references/explain.hpp"
+#include "references/report/explain.hpp"
 
 #include <cstdio>
 #include <memory>
@@ -7,10 +7,10 @@
 #include "references/cli/commands.hpp"
 #include "references/cli/options.hpp"
 #include "references/cli/report.hpp"
-#include "references/reference_source.hpp"
-#include "references/renderer.hpp"
-#include "tracer/image/files.hpp"
-#include "tracer/scene/reader.hpp"
+#include "references/renderers/ours.hpp"
+#include "references/renderers/reference_source.hpp"
+#include "tracer/format/reader.hpp"
+#include "tracer/system/files.hpp"
 
 namespace plumb::cli {
 namespace {

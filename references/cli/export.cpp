@@ -3,12 +3,12 @@
 #include <memory>
 
 #include "exporters/povray.hpp"
-#include "references/approve.hpp"
 #include "references/cli/commands.hpp"
 #include "references/cli/options.hpp"
-#include "references/povray.hpp"
-#include "tracer/image/files.hpp"
-#include "tracer/scene/reader.hpp"
+#include "references/gates/approve.hpp"
+#include "references/renderers/povray.hpp"
+#include "tracer/format/reader.hpp"
+#include "tracer/system/files.hpp"
 
 namespace plumb::cli {
 namespace {

@@ -11,8 +11,9 @@
 #include "references/report/own_page.hpp"
 #include "references/teaching/document.hpp"
 #include "references/teaching/pages.hpp"
-#include "tracer/image/files.hpp"
-#include "tracer/scene/lexer.hpp"
+#include "tracer/system/files.hpp"
+#include "tracer/system/installation.hpp"
+#include "tracer/text/words.hpp"
 
 namespace plumb::cli {
 namespace {
@@ -48,8 +49,8 @@ struct Options {
 
 void write_pages(const std::string& directory) {
   Progress progress("pictures of faults");
-  const std::string page = teaching::faults_page(PLUMB_SOURCE_DIRECTORY "/tests/scenes",
-                                                 [&](double fraction) { progress.show(fraction); });
+  const std::string page =
+      teaching::faults_page(data_directory(Data::scenes), [&](double fraction) { progress.show(fraction); });
   std::filesystem::create_directories(directory);
   references::refuse_to_replace_others(directory + "/index.html");
   write_file(directory + "/index.html", page);

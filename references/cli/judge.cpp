@@ -10,12 +10,12 @@
 #include "references/cli/judge_outputs.hpp"
 #include "references/cli/options.hpp"
 #include "references/cli/progress.hpp"
-#include "references/judging/command_line.hpp"
-#include "references/judging/interrupts.hpp"
-#include "references/judging/judging.hpp"
-#include "references/judging/shown_text.hpp"
-#include "references/judging/shuffle.hpp"
-#include "references/process.hpp"
+#include "references/submissions/command_line.hpp"
+#include "references/submissions/grade.hpp"
+#include "references/submissions/interrupts.hpp"
+#include "references/submissions/shown_text.hpp"
+#include "references/submissions/shuffle.hpp"
+#include "references/system/process.hpp"
 
 namespace plumb::cli {
 namespace {

@@ -10,9 +10,9 @@
 
 #include "references/cli/options.hpp"
 #include "references/cli/report.hpp"
-#include "references/judging/shown_text.hpp"
 #include "references/report/own_page.hpp"
-#include "tracer/image/files.hpp"
+#include "references/submissions/shown_text.hpp"
+#include "tracer/system/files.hpp"
 
 namespace plumb::cli {
 namespace {

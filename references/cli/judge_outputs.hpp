@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "references/judging/overview.hpp"
+#include "references/submissions/overview.hpp"
 
 namespace plumb::cli {
 

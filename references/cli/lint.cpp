@@ -6,8 +6,8 @@
 #include "references/cli/commands.hpp"
 #include "references/cli/options.hpp"
 #include "references/cli/report.hpp"
-#include "tracer/scene/lexer.hpp"
-#include "tracer/scene/reader.hpp"
+#include "tracer/format/reader.hpp"
+#include "tracer/text/words.hpp"
 
 namespace plumb::cli {
 namespace {

@@ -10,7 +10,7 @@
 #include "references/cli/options.hpp"
 #include "references/cli/own_inputs.hpp"
 #include "references/cli/slips.hpp"
-#include "tracer/image/leftovers.hpp"
+#include "tracer/system/leftovers.hpp"
 
 namespace plumb::cli {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "references/metrics/metrics.hpp"
+#include "references/comparison/metrics/metrics.hpp"
 
 namespace plumb::cli {
 

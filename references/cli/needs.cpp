@@ -5,7 +5,7 @@
 #include "references/cli/needs_report.hpp"
 #include "references/cli/options.hpp"
 #include "references/cli/progress.hpp"
-#include "tracer/scene/reader.hpp"
+#include "tracer/format/reader.hpp"
 
 namespace plumb::cli {
 namespace {

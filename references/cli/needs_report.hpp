@@ -4,7 +4,7 @@
 #include <string>
 
 #include "references/cli/report.hpp"
-#include "references/needs/needs.hpp"
+#include "references/studies/needs/needs.hpp"
 
 namespace plumb::cli {
 

@@ -7,8 +7,9 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "references/approve.hpp"
-#include "tracer/scene/lexer.hpp"
+#include "references/gates/approve.hpp"
+#include "tracer/text/numbers.hpp"
+#include "tracer/text/words.hpp"
 
 namespace plumb::cli {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "references/faults/fault.hpp"
-#include "references/verify.hpp"
-#include "tracer/scene/dialect.hpp"
+#include "references/gates/verify.hpp"
+#include "tracer/format/dialect.hpp"
 #include "tracer/scene/render_options.hpp"
 #include "tracer/scene/scene.hpp"
 

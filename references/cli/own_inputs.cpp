@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "references/judging/command_line.hpp"
+#include "references/submissions/command_line.hpp"
 
 namespace plumb::cli {
 namespace {

@@ -6,15 +6,17 @@
 #include "exporters/povray.hpp"
 #include "references/cli/commands.hpp"
 #include "references/cli/options.hpp"
-#include "references/comparison.hpp"
-#include "references/digest.hpp"
-#include "references/povray.hpp"
-#include "references/stored.hpp"
-#include "tracer/scene/reader.hpp"
+#include "references/comparison/comparison.hpp"
+#include "references/renderers/povray.hpp"
+#include "references/renderers/stored.hpp"
+#include "references/system/digest.hpp"
+#include "tracer/format/reader.hpp"
+#include "tracer/system/installation.hpp"
 
 namespace plumb::cli {
 namespace {
 
+namespace fs = std::filesystem;
 namespace refs = references;
 
 /// The same POV-Ray on another machine may round a float32 differently in its last bits.
@@ -40,9 +42,28 @@ Exported exported(const std::string& path) {
   return result;
 }
 
+/// How a record names the scenes that plumb comes with, wherever they lie.
+constexpr const char* own_scenes = "tests/scenes";
+
+std::string path_of(const std::string& recorded) {
+  const fs::path below = fs::path(recorded).lexically_relative(own_scenes);
+  if (!below.empty() && *below.begin() != "..") return (data_directory(Data::scenes) / below).string();
+  return (fs::path(source_directory()) / recorded).string();
+}
+
+std::string recorded_name(const std::string& path) {
+  const fs::path below = fs::relative(path, data_directory(Data::scenes));
+  if (!below.empty() && *below.begin() != "..") return (own_scenes / below).string();
+  if (std::getenv("PLUMB_REFERENCES") == nullptr)
+    throw std::invalid_argument(path + ": is none of plumb's own, expected a scene of " +
+                                data_directory(Data::scenes) +
+                                ", or PLUMB_REFERENCES set to a directory of yours");
+  return fs::relative(path, source_directory()).string();
+}
+
 std::string complaint_about(const refs::StoredReferences& stored, const refs::StoredReference& entry,
                             const refs::Povray& povray) {
-  const Exported now = exported(std::string(PLUMB_SOURCE_DIRECTORY) + "/" + entry.scene);
+  const Exported now = exported(path_of(entry.scene));
   if (refs::sha256(now.job.text) != entry.export_sha256)
     return "the scene is exported to another text than then";
   const Image reference = stored.load(entry);
@@ -77,7 +98,6 @@ int check() {
 }
 
 int update(const std::vector<std::string>& scenes) {
-  namespace fs = std::filesystem;
   refs::StoredReferences stored(refs::StoredReferences::default_directory());
   const refs::Povray povray;
   const std::string version = povray.version();
@@ -88,10 +108,7 @@ int update(const std::vector<std::string>& scenes) {
       throw refs::PovrayError(path + ": not stored, POV-Ray warns: " + picture.warnings);
     }
     refs::StoredReference entry;
-    entry.scene = fs::relative(path, PLUMB_SOURCE_DIRECTORY).string();
-    if (entry.scene.starts_with("..") && std::getenv("PLUMB_REFERENCES") == nullptr) {
-      throw std::invalid_argument(path + ": is not in the repository, expected a scene of tests/scenes");
-    }
+    entry.scene = recorded_name(path);
     entry.image = fs::path(path).stem().string() + ".exr";
     entry.width = now.job.width;
     entry.height = now.job.height;

@@ -1,4 +1,4 @@
-#include "references/regress.hpp"
+#include "references/gates/regress.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -7,8 +7,6 @@
 #include <optional>
 #include <sstream>
 
-#include "references/approve.hpp"
-#include "references/author.hpp"
 #include "references/cli/bounds_options.hpp"
 #include "references/cli/commands.hpp"
 #include "references/cli/confined.hpp"
@@ -16,8 +14,10 @@
 #include "references/cli/progress.hpp"
 #include "references/cli/report.hpp"
 #include "references/cli/scene_report.hpp"
-#include "references/junit.hpp"
-#include "tracer/image/files.hpp"
+#include "references/gates/approve.hpp"
+#include "references/gates/author.hpp"
+#include "references/report/junit.hpp"
+#include "tracer/system/files.hpp"
 
 namespace plumb::cli {
 namespace {

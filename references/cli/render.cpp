@@ -9,13 +9,13 @@
 #include "references/cli/progress.hpp"
 #include "references/cli/render_statistics.hpp"
 #include "references/faults/fault.hpp"
-#include "references/render_to_file.hpp"
-#include "references/unasked_file.hpp"
-#include "tracer/image/files.hpp"
+#include "references/renderers/render_to_file.hpp"
+#include "references/renderers/unasked_file.hpp"
+#include "tracer/format/reader.hpp"
 #include "tracer/image/format.hpp"
 #include "tracer/image/io.hpp"
-#include "tracer/scene/lexer.hpp"
-#include "tracer/scene/reader.hpp"
+#include "tracer/system/files.hpp"
+#include "tracer/text/words.hpp"
 
 namespace plumb::cli {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "references/needs/choice.hpp"
+#include "references/studies/needs/choice.hpp"
 #include "tracer/engine/statistics.hpp"
 
 namespace plumb::cli {
@@ -31,7 +31,7 @@ struct RenderStatistics {
 
 /// Several lines.
 std::string as_text(const RenderStatistics& statistics);
-/// One object, see the README.
+/// One object, see plumb render --stats-json.
 std::string as_json(const RenderStatistics& statistics);
 
 }  // namespace plumb::cli

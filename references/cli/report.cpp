@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "tracer/image/files.hpp"
+#include "tracer/system/files.hpp"
 
 namespace plumb::cli {
 namespace {

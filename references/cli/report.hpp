@@ -4,9 +4,9 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "references/metrics/metrics.hpp"
-#include "references/mismatch.hpp"
-#include "references/verify.hpp"
+#include "references/comparison/metrics/metrics.hpp"
+#include "references/comparison/mismatch.hpp"
+#include "references/gates/verify.hpp"
 
 namespace plumb::cli {
 

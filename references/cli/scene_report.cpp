@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <map>
 
-#include "references/approve.hpp"
-#include "tracer/scene/writer.hpp"
+#include "references/gates/approve.hpp"
+#include "tracer/text/numbers.hpp"
 
 namespace plumb::cli {
 namespace {

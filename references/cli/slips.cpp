@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "tracer/scene/lexer.hpp"
+#include "tracer/text/words.hpp"
 
 namespace plumb::cli {
 namespace {

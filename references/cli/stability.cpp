@@ -2,12 +2,12 @@
 #include <filesystem>
 #include <memory>
 
-#include "references/cache.hpp"
 #include "references/cli/commands.hpp"
 #include "references/cli/options.hpp"
 #include "references/cli/progress.hpp"
-#include "references/stability/atlas.hpp"
-#include "tracer/image/files.hpp"
+#include "references/renderers/cache.hpp"
+#include "references/studies/stability/atlas.hpp"
+#include "tracer/system/files.hpp"
 
 namespace plumb::cli {
 namespace {

@@ -1,4 +1,4 @@
-#include "references/verify.hpp"
+#include "references/gates/verify.hpp"
 
 #include <cstdio>
 #include <memory>

@@ -6,9 +6,9 @@
 #include <functional>
 #include <map>
 
+#include "references/attribution/ray_tree.hpp"
 #include "references/diagnosis/remains.hpp"
 #include "references/diagnosis/search.hpp"
-#include "references/ray_tree.hpp"
 
 namespace plumb::references {
 namespace {

@@ -7,8 +7,8 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "references/ray_tree.hpp"
-#include "references/renderer.hpp"
+#include "references/attribution/ray_tree.hpp"
+#include "references/renderers/ours.hpp"
 
 namespace plumb::references {
 namespace {

@@ -7,8 +7,8 @@
 #include <limits>
 #include <random>
 
-#include "references/perturbation.hpp"
-#include "references/renderer.hpp"
+#include "references/attribution/perturbation.hpp"
+#include "references/renderers/ours.hpp"
 #include "tracer/scene/hierarchy.hpp"
 
 namespace plumb::references {

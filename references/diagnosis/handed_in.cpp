@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "references/shape_mismatch.hpp"
+#include "references/comparison/shape_mismatch.hpp"
 #include "tracer/image/channel_names.hpp"
 
 namespace plumb::references {

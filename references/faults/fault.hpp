@@ -4,8 +4,8 @@
 #include <string_view>
 #include <vector>
 
-#include "references/comparison.hpp"
-#include "references/pixel_tracer.hpp"
+#include "references/attribution/pixel_tracer.hpp"
+#include "references/comparison/comparison.hpp"
 #include "tracer/image/image.hpp"
 #include "tracer/scene/scene.hpp"
 #include "tracer/textbook/formula_table.hpp"

@@ -2,10 +2,10 @@
 
 #include <string_view>
 
-#include "references/digest.hpp"
 #include "references/report/escape.hpp"
 #include "references/report/packing.hpp"
 #include "references/report/web.hpp"
+#include "references/system/digest.hpp"
 
 namespace plumb::references {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <stdexcept>
 
-#include "references/comparison.hpp"
+#include "references/comparison/comparison.hpp"
 
 namespace plumb::references {
 namespace {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "references/limit.hpp"
-#include "references/pixel_mask.hpp"
+#include "references/comparison/limit.hpp"
+#include "references/comparison/pixel_mask.hpp"
 #include "tracer/image/image.hpp"
 
 namespace plumb::references {

@@ -6,14 +6,14 @@
 #include <stdexcept>
 #include <utility>
 
-#include "references/digest.hpp"
 #include "references/report/escape.hpp"
 #include "references/report/own_page.hpp"
 #include "references/report/packing.hpp"
 #include "references/report/page.hpp"
 #include "references/report/picture.hpp"
 #include "references/report/thumbnail.hpp"
-#include "tracer/image/files.hpp"
+#include "references/system/digest.hpp"
+#include "tracer/system/files.hpp"
 
 namespace plumb::references {
 namespace {

@@ -7,9 +7,9 @@
 #include <stdexcept>
 #include <thread>
 
-#include "references/in_parallel.hpp"
+#include "references/system/in_parallel.hpp"
+#include "tracer/format/reader.hpp"
 #include "tracer/image/encode.hpp"
-#include "tracer/scene/reader.hpp"
 
 namespace plumb::references::teaching {
 namespace {

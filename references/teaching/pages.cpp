@@ -7,8 +7,8 @@
 #include "references/report/escape.hpp"
 #include "references/report/own_page.hpp"
 #include "references/report/packing.hpp"
+#include "tracer/format/reader.hpp"
 #include "tracer/image/encode.hpp"
-#include "tracer/scene/reader.hpp"
 
 namespace plumb::references::teaching {
 namespace {

@@ -5,13 +5,13 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "references/attribution.hpp"
-#include "references/comparison.hpp"
+#include "references/attribution/attribution.hpp"
+#include "references/comparison/comparison.hpp"
 #include "tests/support/random_scene.hpp"
 #include "tests/support/run.hpp"
 #include "tracer/engine/render.hpp"
 #include "tracer/engine/samples.hpp"
-#include "tracer/scene/reader.hpp"
+#include "tracer/format/reader.hpp"
 #include "tracer/textbook/render.hpp"
 
 namespace plumb::tests {

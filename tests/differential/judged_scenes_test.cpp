@@ -1,11 +1,11 @@
 // Every pixel of random scenes, ours against the oracle: nowhere may ours be wrong. POV-Ray is not needed.
 #include <gtest/gtest.h>
 
-#include "references/judgement.hpp"
-#include "references/renderer.hpp"
+#include "references/renderers/ours.hpp"
+#include "references/truth/judgement.hpp"
 #include "tests/support/random_scene.hpp"
-#include "tracer/scene/reader.hpp"
-#include "tracer/scene/writer.hpp"
+#include "tracer/format/reader.hpp"
+#include "tracer/format/writer.hpp"
 
 namespace plumb::tests {
 namespace {

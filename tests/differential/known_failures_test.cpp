@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "references/stability/catalogue.hpp"
+#include "references/studies/stability/catalogue.hpp"
 
 namespace plumb::references::stability {
 namespace {

@@ -2,13 +2,13 @@
 // what verify, its judgement and explain say of one pixel is never a contradiction.
 #include <gtest/gtest.h>
 
-#include "references/explain.hpp"
-#include "references/verify.hpp"
+#include "references/gates/verify.hpp"
+#include "references/report/explain.hpp"
 #include "tests/support/nasty_scene.hpp"
 #include "tests/support/run.hpp"
 #include "tracer/engine/render.hpp"
-#include "tracer/scene/reader.hpp"
-#include "tracer/scene/writer.hpp"
+#include "tracer/format/reader.hpp"
+#include "tracer/format/writer.hpp"
 #include "tracer/textbook/render.hpp"
 
 namespace plumb::tests {

@@ -9,14 +9,14 @@
 #include <stdexcept>
 
 #include "exporters/povray.hpp"
-#include "references/comparison.hpp"
-#include "references/povray.hpp"
-#include "references/process.hpp"
+#include "references/comparison/comparison.hpp"
+#include "references/renderers/povray.hpp"
+#include "references/system/process.hpp"
 #include "tests/support/run.hpp"
+#include "tracer/format/reader.hpp"
 #include "tracer/formulas/camera.hpp"
 #include "tracer/image/io.hpp"
-#include "tracer/scene/reader.hpp"
-#include "tracer/scene/writer.hpp"
+#include "tracer/text/numbers.hpp"
 #include "tracer/textbook/render.hpp"
 
 namespace plumb::tests {

@@ -14,11 +14,11 @@
 #include <optional>
 #include <thread>
 
-#include "references/cache.hpp"
-#include "references/povray.hpp"
+#include "references/renderers/cache.hpp"
+#include "references/renderers/povray.hpp"
 #include "tests/support/run.hpp"
-#include "tracer/image/files.hpp"
 #include "tracer/image/io.hpp"
+#include "tracer/system/files.hpp"
 
 namespace plumb::tests {
 namespace {

@@ -7,12 +7,12 @@
 #include <utility>
 
 #include "exporters/povray.hpp"
-#include "references/renderer.hpp"
-#include "references/verify.hpp"
+#include "references/gates/verify.hpp"
+#include "references/renderers/ours.hpp"
 #include "tests/support/random_scene.hpp"
 #include "tests/support/run.hpp"
-#include "tracer/scene/reader.hpp"
-#include "tracer/scene/writer.hpp"
+#include "tracer/format/reader.hpp"
+#include "tracer/format/writer.hpp"
 
 namespace plumb::tests {
 namespace {

@@ -3,12 +3,12 @@
 
 #include <limits>
 
-#include "references/render_to_file.hpp"
+#include "references/renderers/render_to_file.hpp"
 #include "tests/support/end_to_end.hpp"
 #include "tests/support/random_scene.hpp"
 #include "tracer/engine/render.hpp"
+#include "tracer/format/reader.hpp"
 #include "tracer/image/io.hpp"
-#include "tracer/scene/reader.hpp"
 #include "tracer/textbook/render.hpp"
 
 namespace plumb::tests {

@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "exporters/povray.hpp"
-#include "references/verify.hpp"
+#include "references/gates/verify.hpp"
 #include "tests/support/end_to_end.hpp"
 #include "tests/support/run.hpp"
-#include "tracer/scene/reader.hpp"
+#include "tracer/format/reader.hpp"
 
 namespace plumb::tests {
 namespace {

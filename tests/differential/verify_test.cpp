@@ -1,5 +1,5 @@
 // Verifying scenes against POV-Ray: verdicts, the cache, and what is excused as a tie and what never is.
-#include "references/verify.hpp"
+#include "references/gates/verify.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,11 +10,11 @@
 #include <stdexcept>
 
 #include "exporters/povray.hpp"
-#include "references/cache.hpp"
-#include "references/povray.hpp"
+#include "references/renderers/cache.hpp"
+#include "references/renderers/povray.hpp"
 #include "tests/support/end_to_end.hpp"
 #include "tests/support/run.hpp"
-#include "tracer/scene/reader.hpp"
+#include "tracer/format/reader.hpp"
 
 namespace plumb::tests {
 namespace {

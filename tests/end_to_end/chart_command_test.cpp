@@ -4,7 +4,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "references/chart/plot.hpp"
+#include "references/studies/chart/plot.hpp"
 #include "tests/support/end_to_end.hpp"
 
 namespace plumb::tests {
@@ -146,7 +146,7 @@ TEST_F(ChartCommand, AllTextLiesInThePictureAndNoneOnAnother) {
   limits.seconds = 60;
   const auto result =
       references::run_process({"/usr/bin/python3", "-B", source_path("tests/support/chart_texts.py"),
-                               source_path("references/chart/plot.py"), chart},
+                               source_path("references/studies/chart/plot.py"), chart},
                               workplace_.directory(), limits);
   EXPECT_EQ(result.exit_code, 0) << result.output;
   EXPECT_TRUE(result.output.ends_with(" texts\n")) << result.output;

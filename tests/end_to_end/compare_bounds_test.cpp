@@ -3,7 +3,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "references/bounds.hpp"
+#include "references/gates/bounds.hpp"
 #include "tests/support/end_to_end.hpp"
 #include "tracer/image/io.hpp"
 

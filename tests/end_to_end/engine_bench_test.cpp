@@ -1,7 +1,7 @@
 // The scenes of the engine's benchmark (tests/bench/engine) are what it says they are.
 #include "tests/support/end_to_end.hpp"
+#include "tracer/format/reader.hpp"
 #include "tracer/scene/hierarchy.hpp"
-#include "tracer/scene/reader.hpp"
 
 namespace plumb::tests {
 namespace {

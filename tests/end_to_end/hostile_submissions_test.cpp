@@ -3,7 +3,7 @@
 // where that is root, as a user, too.
 #include <nlohmann/json.hpp>
 
-#include "references/judging/sandbox.hpp"
+#include "references/submissions/sandbox/sandbox.hpp"
 #include "tests/support/end_to_end.hpp"
 
 namespace plumb::tests {
@@ -165,7 +165,7 @@ class HostileSubmissions : public testing::Test {
 
   static std::string with_paths(std::string text) {
     for (const auto& [name, path] :
-         {std::pair("@plumb@", PLUMB_BINARY), std::pair("@source@", PLUMB_SOURCE_DIRECTORY)})
+         {std::pair("@plumb@", std::string(PLUMB_BINARY)), std::pair("@source@", source_path(""))})
       while (contains(text, name)) text = replaced(text, name, path);
     return text;
   }

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "references/judging/sandbox.hpp"
+#include "references/submissions/sandbox/sandbox.hpp"
 #include "tests/support/end_to_end.hpp"
 
 namespace plumb::tests {

@@ -1,7 +1,7 @@
 // `plumb judge`: small tracers, right, wrong and hostile, each with its verdict, and nothing outside touched.
 #include <nlohmann/json.hpp>
 
-#include "references/judging/sandbox.hpp"
+#include "references/submissions/sandbox/sandbox.hpp"
 #include "tests/support/end_to_end.hpp"
 
 namespace plumb::tests {

@@ -1,7 +1,7 @@
 // `plumb judge --shuffle`: scenes that a submission cannot have seen.
 #include <nlohmann/json.hpp>
 
-#include "references/judging/sandbox.hpp"
+#include "references/submissions/sandbox/sandbox.hpp"
 #include "tests/support/end_to_end.hpp"
 
 namespace plumb::tests {

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/support/end_to_end.hpp"
-#include "tracer/image/leftovers.hpp"
+#include "tracer/system/leftovers.hpp"
 
 namespace plumb::tests {
 namespace {

@@ -8,8 +8,8 @@
 #include <set>
 #include <sstream>
 
-#include "references/judging/control_group.hpp"
-#include "references/judging/sandbox.hpp"
+#include "references/submissions/sandbox/control_group.hpp"
+#include "references/submissions/sandbox/sandbox.hpp"
 #include "tests/support/end_to_end.hpp"
 
 namespace plumb::tests {
@@ -172,7 +172,7 @@ TEST_F(SandboxPlaces, PlumbIsShownWhereItIsAskedForAlone) {
   const std::string self = fs::read_symlink("/proc/self/exe");
   const std::string beside = fs::path(self).parent_path();
   const std::string look =
-      "test -x '" + self + "' && echo seen; test -e '" PLUMB_SOURCE_DIRECTORY "/tests' && echo source";
+      "test -x '" + self + "' && echo seen; test -e '" + source_path("tests") + "' && echo source";
   EXPECT_EQ(shell(look, {{}, {"/"}, {}}).printed, "");
   EXPECT_EQ(shell(look, {{}, {beside}, {}}).printed, "");
   EXPECT_EQ(shell(look, {{}, {beside, self}, {}}).printed, "seen\n");

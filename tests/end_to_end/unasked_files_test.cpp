@@ -1,5 +1,5 @@
 // Files whose names plumb chooses, and what the head of an export says.
-#include "references/digest.hpp"
+#include "references/system/digest.hpp"
 #include "tests/support/end_to_end.hpp"
 
 namespace plumb::tests {

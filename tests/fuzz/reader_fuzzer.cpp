@@ -6,8 +6,8 @@
 #include <string_view>
 
 #include "exporters/povray.hpp"
-#include "tracer/scene/reader.hpp"
-#include "tracer/scene/writer.hpp"
+#include "tracer/format/reader.hpp"
+#include "tracer/format/writer.hpp"
 
 namespace {
 

@@ -1,5 +1,5 @@
 // The measure of how far two pictures are apart, against sums done by hand.
-#include "references/comparison.hpp"
+#include "references/comparison/comparison.hpp"
 
 #include <gtest/gtest.h>
 

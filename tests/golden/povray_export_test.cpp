@@ -12,8 +12,9 @@
 
 #include "exporters/povray_material.hpp"
 #include "tests/support/random_scene.hpp"
-#include "tracer/scene/reader.hpp"
-#include "tracer/scene/writer.hpp"
+#include "tracer/format/reader.hpp"
+#include "tracer/format/writer.hpp"
+#include "tracer/text/numbers.hpp"
 
 namespace plumb::tests {
 namespace {

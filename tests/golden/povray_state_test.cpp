@@ -1,5 +1,5 @@
 // POV-Ray's state file, on bytes made here after the format that was measured.
-#include "references/povray_state.hpp"
+#include "references/renderers/povray_state.hpp"
 
 #include <gtest/gtest.h>
 

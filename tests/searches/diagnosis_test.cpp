@@ -9,8 +9,8 @@
 #include "tests/support/random_scene.hpp"
 #include "tests/support/run.hpp"
 #include "tracer/engine/render.hpp"
+#include "tracer/format/reader.hpp"
 #include "tracer/image/encode.hpp"
-#include "tracer/scene/reader.hpp"
 
 namespace plumb::references {
 namespace {

@@ -5,13 +5,13 @@
 #include <random>
 #include <tuple>
 
-#include "references/comparison.hpp"
+#include "references/comparison/comparison.hpp"
 #include "references/diagnosis/diagnosis.hpp"
 #include "references/diagnosis/float_noise.hpp"
-#include "references/renderer.hpp"
+#include "references/renderers/ours.hpp"
 #include "tests/support/random_scene.hpp"
 #include "tests/support/run.hpp"
-#include "tracer/scene/reader.hpp"
+#include "tracer/format/reader.hpp"
 
 namespace plumb::references {
 namespace {

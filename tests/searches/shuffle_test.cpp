@@ -1,9 +1,9 @@
 // Varied scenes: the same for a seed, others for another, and they show what the given ones show.
-#include "references/judging/shuffle.hpp"
-#include "references/judging/varied_text.hpp"
+#include "references/submissions/shuffle.hpp"
+#include "references/submissions/varied_text.hpp"
 #include "references/teaching/matrix.hpp"
 #include "tests/support/end_to_end.hpp"
-#include "tracer/scene/reader.hpp"
+#include "tracer/format/reader.hpp"
 
 namespace plumb::tests {
 namespace {

@@ -12,7 +12,7 @@
 #include "references/teaching/document.hpp"
 #include "references/teaching/tell_apart.hpp"
 #include "tests/support/run.hpp"
-#include "tracer/scene/reader.hpp"
+#include "tracer/format/reader.hpp"
 
 namespace plumb::references::teaching {
 namespace {

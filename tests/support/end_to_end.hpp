@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "references/process.hpp"
+#include "references/system/process.hpp"
 #include "tests/support/run.hpp"
 
 namespace plumb::tests {
@@ -64,8 +64,8 @@ inline references::ProcessResult run_shell(const std::string& command, const std
   references::ProcessLimits limits;
   limits.seconds = 120;
   limits.memory_bytes = std::numeric_limits<std::size_t>::max();  // an address sanitizer reserves terabytes
-  const std::string with_environment = "export PLUMB_CACHE='" + directory + "/.cache' LSAN_OPTIONS='" +
-                                       std::string(leak_options) + "'; " + command;
+  const std::string with_environment =
+      "export PLUMB_CACHE='" + directory + "/.cache' LSAN_OPTIONS='" + leak_options() + "'; " + command;
   return references::run_process({"/bin/sh", "-c", with_environment, PLUMB_BINARY}, directory, limits);
 }
 

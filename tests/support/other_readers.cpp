@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <sstream>
 
-#include "references/process.hpp"
-#include "tracer/image/files.hpp"
+#include "references/system/process.hpp"
+#include "tracer/system/files.hpp"
 
 namespace plumb::tests {
 namespace {

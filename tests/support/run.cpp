@@ -10,6 +10,8 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "tracer/system/installation.hpp"
+
 namespace plumb::tests {
 namespace {
 
@@ -25,7 +27,7 @@ constexpr unsigned longest_run_seconds = 120;
   redirect(".err", 2);
   if (chdir(directory.c_str()) != 0) _exit(126);
   setenv("PLUMB_CACHE", (directory + "/.cache").c_str(), 1);
-  setenv("LSAN_OPTIONS", leak_options, 1);
+  setenv("LSAN_OPTIONS", leak_options().c_str(), 1);
   for (const std::string& pair : environment) putenv(const_cast<char*>(pair.c_str()));
   std::vector<char*> pointers{const_cast<char*>(PLUMB_BINARY)};
   for (const std::string& argument : arguments) pointers.push_back(const_cast<char*>(argument.c_str()));
@@ -60,8 +62,8 @@ std::string Workplace::file(const std::string& name, const std::string& text) co
   return path(name);
 }
 
-std::string source_path(const std::string& relative) {
-  return std::string(PLUMB_SOURCE_DIRECTORY) + "/" + relative;
-}
+std::string leak_options() { return "suppressions=" + source_path("tests/support/leaks_of_others.txt"); }
+
+std::string source_path(const std::string& relative) { return source_directory() + "/" + relative; }
 
 }  // namespace plumb::tests

@@ -4,14 +4,13 @@
 #include <string>
 #include <vector>
 
-#include "references/process.hpp"
-#include "tracer/image/files.hpp"
+#include "references/system/process.hpp"
+#include "tracer/system/files.hpp"
 
 namespace plumb::tests {
 
 /// What LeakSanitizer is told in a run: leaks of libraries that are not ours.
-inline constexpr const char* leak_options =
-    "suppressions=" PLUMB_SOURCE_DIRECTORY "/tests/support/leaks_of_others.txt";
+std::string leak_options();
 
 struct Outcome {
   int exit_code;

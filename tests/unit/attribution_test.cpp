@@ -1,6 +1,6 @@
 // The pixel budget on scenes made so that the cause is known beforehand. The references are our own pictures
 // of slightly other scenes, so that no renderer is needed.
-#include "references/attribution.hpp"
+#include "references/attribution/attribution.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,9 +9,9 @@
 #include <limits>
 #include <string>
 
-#include "references/perturbation.hpp"
+#include "references/attribution/perturbation.hpp"
 #include "tests/support/run.hpp"
-#include "tracer/scene/reader.hpp"
+#include "tracer/format/reader.hpp"
 #include "tracer/textbook/render.hpp"
 
 namespace plumb::tests {

@@ -1,5 +1,5 @@
 // What bounds allow and what they leave out of a comparison.
-#include "references/bounds.hpp"
+#include "references/gates/bounds.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <limits>
 #include <random>
 
-#include "references/bounds_file.hpp"
+#include "references/gates/bounds_file.hpp"
 #include "tests/support/run.hpp"
 #include "tracer/image/image_writer.hpp"
 #include "tracer/image/io.hpp"

@@ -1,12 +1,12 @@
 // The cheapest configuration within an error: what it claims is measured again by other means.
-#include "references/needs/choice.hpp"
+#include "references/studies/needs/choice.hpp"
 
 #include <gtest/gtest.h>
 
-#include "references/comparison.hpp"
+#include "references/comparison/comparison.hpp"
 #include "tests/support/run.hpp"
 #include "tracer/engine/render.hpp"
-#include "tracer/scene/reader.hpp"
+#include "tracer/format/reader.hpp"
 #include "tracer/textbook/render.hpp"
 
 namespace plumb::tests {

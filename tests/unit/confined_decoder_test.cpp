@@ -21,8 +21,8 @@
 #include "tests/support/run.hpp"
 #include "tracer/image/confined_decoder.hpp"
 #include "tracer/image/decoded_message.hpp"
-#include "tracer/image/descriptor.hpp"
 #include "tracer/image/io.hpp"
+#include "tracer/system/descriptor.hpp"
 
 namespace plumb::tests {
 namespace {

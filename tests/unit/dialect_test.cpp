@@ -1,5 +1,5 @@
 // Named ways in which people deviate from the course grammar: each part, and which ones are proposed.
-#include "tracer/scene/dialect.hpp"
+#include "tracer/format/dialect.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <array>
 #include <ostream>
 
-#include "tracer/scene/reader.hpp"
+#include "tracer/format/reader.hpp"
 
 namespace plumb {
 namespace {

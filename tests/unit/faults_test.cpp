@@ -9,7 +9,7 @@
 #include <set>
 
 #include "tests/support/run.hpp"
-#include "tracer/scene/reader.hpp"
+#include "tracer/format/reader.hpp"
 
 namespace plumb::references {
 namespace {

@@ -1,7 +1,7 @@
 // FLIP against a second implementation, written from the papers alone: plain sums over two dimensions in
 // double; and against numbers of the authors' implementation for pictures made here. The papers' own test
 // pictures are not at hand; where a value can be done by hand, it is.
-#include "references/metrics/flip.hpp"
+#include "references/comparison/metrics/flip.hpp"
 
 #include <gtest/gtest.h>
 

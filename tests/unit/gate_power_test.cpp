@@ -7,7 +7,7 @@
 #include "tests/bench/gate_power/rules.hpp"
 #include "tests/bench/gate_power/yiq.hpp"
 #include "tests/support/run.hpp"
-#include "tracer/scene/reader.hpp"
+#include "tracer/format/reader.hpp"
 
 namespace plumb::gate_power {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "references/shape_mismatch.hpp"
+#include "references/comparison/shape_mismatch.hpp"
 
 namespace plumb::references {
 namespace {

@@ -9,11 +9,11 @@
 #include <string>
 
 #include "tests/support/random_scene.hpp"
+#include "tracer/format/check_hierarchy.hpp"
+#include "tracer/format/reader.hpp"
 #include "tracer/formulas/quad.hpp"
 #include "tracer/formulas/sphere.hpp"
-#include "tracer/scene/check_hierarchy.hpp"
 #include "tracer/scene/dielectrics.hpp"
-#include "tracer/scene/reader.hpp"
 
 namespace plumb {
 namespace {

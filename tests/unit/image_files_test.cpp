@@ -3,8 +3,8 @@
 
 #include <random>
 
-#include "references/comparison.hpp"
-#include "references/shape_mismatch.hpp"
+#include "references/comparison/comparison.hpp"
+#include "references/comparison/shape_mismatch.hpp"
 #include "tests/support/image_bytes.hpp"
 #include "tests/support/run.hpp"
 #include "tracer/image/io.hpp"

@@ -11,8 +11,8 @@
 #include "tests/support/end_to_end.hpp"
 #include "tests/support/other_readers.hpp"
 #include "tracer/image/io.hpp"
-#include "tracer/image/module.hpp"
 #include "tracer/image/oiio_module.hpp"
+#include "tracer/system/module.hpp"
 
 namespace plumb::tests {
 namespace {

@@ -4,11 +4,11 @@
 #include <csignal>
 #include <limits>
 
-#include "references/judging/fingerprint.hpp"
-#include "references/judging/journal.hpp"
-#include "references/judging/no_picture.hpp"
-#include "references/judging/overview.hpp"
-#include "references/judging/shown_text.hpp"
+#include "references/submissions/fingerprint.hpp"
+#include "references/submissions/journal.hpp"
+#include "references/submissions/no_picture.hpp"
+#include "references/submissions/overview.hpp"
+#include "references/submissions/shown_text.hpp"
 #include "tests/support/end_to_end.hpp"
 
 namespace plumb::tests {

@@ -1,5 +1,5 @@
 // Who is wrong, in pictures of which it is known.
-#include "references/judgement.hpp"
+#include "references/truth/judgement.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include "tests/support/run.hpp"
 #include "tracer/engine/render.hpp"
-#include "tracer/scene/reader.hpp"
+#include "tracer/format/reader.hpp"
 
 namespace plumb::references {
 namespace {

@@ -8,10 +8,10 @@
 #include <csignal>
 #include <thread>
 
-#include "references/judging/collect.hpp"
-#include "references/judging/command_line.hpp"
-#include "references/judging/overview.hpp"
-#include "references/judging/process_tree.hpp"
+#include "references/submissions/collect.hpp"
+#include "references/submissions/command_line.hpp"
+#include "references/submissions/overview.hpp"
+#include "references/submissions/sandbox/process_tree.hpp"
 #include "tests/support/end_to_end.hpp"
 
 namespace plumb::tests {

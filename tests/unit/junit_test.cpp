@@ -1,5 +1,5 @@
 // JUnit XML of hostile text, read back by Python's parser.
-#include "references/junit.hpp"
+#include "references/report/junit.hpp"
 
 #include <nlohmann/json.hpp>
 

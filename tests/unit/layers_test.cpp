@@ -1,4 +1,4 @@
-// The architecture, read off the #includes: each layer may use only those below it.
+// The architecture: what a room includes, its library links, and links run one way.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -6,6 +6,7 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "tests/support/run.hpp"
 
@@ -14,50 +15,44 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What a folder may include of ours besides itself. A folder that is not named here must not exist.
-const std::map<std::string, std::set<std::string>>& allowed() {
-  static const std::map<std::string, std::set<std::string>> table{
-      {"tracer/formulas", {}},
-      {"tracer/scene", {"tracer/formulas"}},
-      {"tracer/image", {"tracer/image/codecs"}},  // the boundary of the module alone
-      {"tracer/image/codecs", {"tracer/image"}},
-      {"tracer/image/decoder", {"tracer/image", "tracer/image/codecs"}},
-      {"tracer/textbook", {"tracer/formulas", "tracer/scene", "tracer/image"}},
-      {"tracer/engine", {"tracer/formulas", "tracer/scene", "tracer/image"}},
-      {"tracer/methods", {"tracer/formulas", "tracer/scene"}},
-      {"exporters", {"tracer/formulas", "tracer/scene"}},
-      {"references/faults",
-       {"tracer/formulas", "tracer/scene", "tracer/image", "tracer/textbook", "references"}},
-      {"references/diagnosis",
-       {"tracer/formulas", "tracer/scene", "tracer/image", "tracer/textbook", "references",
-        "references/faults"}},
-      {"references/judging",
-       {"tracer/scene", "tracer/image", "tracer/textbook", "references", "references/diagnosis",
-        "references/faults", "references/report", "references/teaching"}},
-      {"references/teaching",
-       {"tracer/formulas", "tracer/scene", "tracer/image", "references", "references/diagnosis",
-        "references/faults", "references/report"}},
-      {"references/stability",
-       {"tracer/formulas", "tracer/scene", "tracer/image", "tracer/textbook", "tracer/methods", "exporters",
-        "references", "references/methods", "references/report"}},
-      {"references/methods",
-       {"tracer/formulas", "tracer/scene", "tracer/image", "tracer/textbook", "tracer/methods"}},
-      {"references/metrics", {"tracer/engine"}},  // its choice of vectors alone
-      {"references",
-       {"tracer/formulas", "tracer/scene", "tracer/image", "tracer/textbook", "tracer/engine", "exporters",
-        "references/metrics"}},
-      {"references/chart",
-       {"tracer/formulas", "tracer/scene", "tracer/image", "tracer/textbook", "tracer/engine", "exporters",
-        "references", "references/methods"}},
-      {"references/report", {"tracer/image", "references"}},
-      {"references/needs",
-       {"tracer/formulas", "tracer/scene", "tracer/image", "tracer/textbook", "tracer/engine", "references"}},
-      {"references/cli",
-       {"tracer/formulas", "tracer/scene", "tracer/image", "tracer/textbook", "tracer/engine", "exporters",
-        "references", "references/chart", "references/diagnosis", "references/faults", "references/metrics",
-        "references/judging", "references/needs", "references/report", "references/stability",
-        "references/teaching"}}};
-  return table;
+/// A folder with a library, as the build has them: the folder, its library, the libraries that it links.
+struct Room {
+  std::string library;
+  std::vector<std::string> uses;
+};
+
+std::map<std::string, Room> rooms() {
+  std::map<std::string, Room> all;
+  std::istringstream lines(read_file((fs::path(PLUMB_BINARY).parent_path() / "rooms.txt").string()));
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string folder, word;
+    words >> folder;
+    Room& room = all[folder];
+    words >> room.library;
+    while (words >> word) room.uses.push_back(word);
+  }
+  return all;
+}
+
+/// All libraries that a room links, or that those link.
+std::set<std::string> below(const std::map<std::string, Room>& all, const Room& room) {
+  std::set<std::string> found;
+  std::vector<std::string> ahead = room.uses;
+  while (!ahead.empty()) {
+    const std::string library = ahead.back();
+    ahead.pop_back();
+    if (!found.insert(library).second) continue;
+    for (const auto& [folder, other] : all)
+      if (other.library == library) ahead.insert(ahead.end(), other.uses.begin(), other.uses.end());
+  }
+  return found;
+}
+
+/// The room that a folder belongs to: itself, or the nearest above it. Empty when there is none.
+std::string room_of(const std::map<std::string, Room>& all, fs::path folder) {
+  while (!folder.empty() && !all.contains(folder.string())) folder = folder.parent_path();
+  return folder.string();
 }
 
 bool is_source(const fs::path& path) { return path.extension() == ".hpp" || path.extension() == ".cpp"; }
@@ -102,14 +97,39 @@ TEST(Layers, EveryTestFileIsBuilt) {
   }
 }
 
-TEST(Layers, IncludesRunOneWay) {
+TEST(Layers, IncludesFollowTheLinksOfTheLibraries) {
   const auto all = includes();
+  const auto rooms_built = rooms();
   ASSERT_GT(all.size(), 100U) << "the test reads too few files to mean anything";
+  ASSERT_GT(rooms_built.size(), 20U);
   for (const Include& include : all) {
-    ASSERT_TRUE(allowed().contains(include.from)) << include.from_file << " is in a folder that has no layer";
-    const bool is_allowed = include.to == include.from || allowed().at(include.from).contains(include.to);
-    EXPECT_TRUE(is_allowed) << include.from_file << " includes a file of " << include.to;
+    const std::string from = room_of(rooms_built, include.from), to = room_of(rooms_built, include.to);
+    ASSERT_NE(from, "") << include.from_file << " is in a folder that has no library";
+    if (from == to) continue;
+    ASSERT_NE(to, "") << include.from_file << " includes a file of " << include.to
+                      << ", which has no library";
+    EXPECT_TRUE(below(rooms_built, rooms_built.at(from)).contains(rooms_built.at(to).library))
+        << include.from_file << " includes a file of " << include.to << ", which " << from
+        << " does not link";
   }
+}
+
+TEST(Layers, LinksRunOneWay) {
+  const auto all = rooms();
+  for (const auto& [folder, room] : all) EXPECT_FALSE(below(all, room).contains(room.library)) << folder;
+}
+
+TEST(Layers, NoSourceLiesLooseInReferences) {
+  for (const auto& entry : fs::directory_iterator(source_path("references")))
+    EXPECT_FALSE(is_source(entry.path())) << entry.path();
+}
+
+TEST(Layers, OnePlaceKnowsWhereTheSourceWas) {
+  for (const char* part : {"tracer", "exporters", "references"})
+    for (const auto& file : fs::recursive_directory_iterator(source_path(part)))
+      if (is_source(file.path()) && file.path().filename() != "installation.cpp")
+        EXPECT_EQ(read_file(file.path().string()).find("PLUMB_SOURCE_DIRECTORY"), std::string::npos)
+            << file.path();
 }
 
 TEST(Layers, OnlyTheModuleKnowsOpenImageIO) {

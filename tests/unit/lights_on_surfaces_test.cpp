@@ -6,9 +6,9 @@
 #include <string>
 
 #include "tests/support/end_to_end.hpp"
+#include "tracer/format/reader.hpp"
 #include "tracer/scene/lights_on_surfaces.hpp"
-#include "tracer/scene/reader.hpp"
-#include "tracer/scene/writer.hpp"
+#include "tracer/text/numbers.hpp"
 
 namespace plumb::tests {
 namespace {

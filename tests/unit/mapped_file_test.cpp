@@ -1,12 +1,12 @@
 // A mapped file that somebody else cuts short while it is looked at.
-#include "tracer/image/mapped_file.hpp"
+#include "tracer/system/mapped_file.hpp"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 
 #include "tests/support/run.hpp"
-#include "tracer/image/cleanup.hpp"
+#include "tracer/system/cleanup.hpp"
 
 namespace plumb::tests {
 namespace {

@@ -1,14 +1,14 @@
 // Methods of the literature draw the lecture's picture where none of them has a reason to fail.
-#include "references/methods/method_sets.hpp"
+#include "tracer/methods/method_sets.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <set>
 
-#include "references/chart/pareto.hpp"
+#include "references/studies/chart/pareto.hpp"
 #include "tests/support/run.hpp"
-#include "tracer/scene/reader.hpp"
+#include "tracer/format/reader.hpp"
 
 namespace plumb::references {
 namespace {

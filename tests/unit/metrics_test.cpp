@@ -1,12 +1,12 @@
 // The figures beside the verdict, against sums done by hand.
-#include "references/metrics/metrics.hpp"
+#include "references/comparison/metrics/metrics.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
-#include "references/metrics/ssim.hpp"
+#include "references/comparison/metrics/ssim.hpp"
 
 namespace plumb::tests {
 namespace {

@@ -1,5 +1,5 @@
 // What likely_cause() names, and what it must not, for pictures of whole numbers.
-#include "references/mismatch.hpp"
+#include "references/comparison/mismatch.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // What a scene needs: scenes whose answers are known, and figures that are measured again by other means.
-#include "references/needs/needs.hpp"
+#include "references/studies/needs/needs.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 
 #include "tests/support/run.hpp"
 #include "tracer/engine/render.hpp"
-#include "tracer/scene/reader.hpp"
+#include "tracer/format/reader.hpp"
 
 namespace plumb::tests {
 namespace {

@@ -8,7 +8,7 @@
 #include "exporters/povray.hpp"
 #include "tracer/engine/compile.hpp"
 #include "tracer/engine/render.hpp"
-#include "tracer/scene/reader.hpp"
+#include "tracer/format/reader.hpp"
 
 namespace plumb::tests {
 namespace {

@@ -1,9 +1,9 @@
 // The oracle against answers in closed form, each computed here in another way, and what it is sure of.
-#include "references/oracle.hpp"
+#include "references/truth/oracle.hpp"
 
 #include <gtest/gtest.h>
 
-#include "tracer/scene/reader.hpp"
+#include "tracer/format/reader.hpp"
 
 namespace plumb::tests {
 namespace {

@@ -13,7 +13,7 @@
 #include "tests/support/run.hpp"
 #include "tracer/image/codecs/codecs.hpp"
 #include "tracer/image/io.hpp"
-#include "tracer/image/module.hpp"
+#include "tracer/system/module.hpp"
 
 namespace plumb::tests {
 namespace {

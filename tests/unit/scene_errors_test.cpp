@@ -4,7 +4,7 @@
 #include <chrono>
 #include <ostream>
 
-#include "tracer/scene/reader.hpp"
+#include "tracer/format/reader.hpp"
 
 namespace plumb {
 namespace {

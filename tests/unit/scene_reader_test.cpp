@@ -1,5 +1,6 @@
 // The course grammar, read strictly: every statement, what separates tokens, defaults.
-#include "tracer/scene/reader.hpp"
+#include "tracer/format/reader.hpp"
+#include "tracer/scene/hierarchy.hpp"
 
 #include <gtest/gtest.h>
 

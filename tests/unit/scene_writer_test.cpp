@@ -1,5 +1,5 @@
 // A scene that is written and read again is the same, bit for bit.
-#include "tracer/scene/writer.hpp"
+#include "tracer/format/writer.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,8 @@
 #include <random>
 
 #include "tests/support/random_scene.hpp"
-#include "tracer/scene/reader.hpp"
+#include "tracer/format/reader.hpp"
+#include "tracer/text/numbers.hpp"
 
 namespace plumb {
 namespace {

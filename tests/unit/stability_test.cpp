@@ -5,12 +5,12 @@
 #include <cstdlib>
 #include <string>
 
-#include "references/methods/method_sets.hpp"
-#include "references/stability/atlas.hpp"
-#include "references/stability/boxes.hpp"
-#include "references/stability/catalogue.hpp"
-#include "references/stability/spheres.hpp"
+#include "references/studies/stability/atlas.hpp"
+#include "references/studies/stability/boxes.hpp"
+#include "references/studies/stability/catalogue.hpp"
+#include "references/studies/stability/spheres.hpp"
 #include "tracer/formulas/phong.hpp"
+#include "tracer/methods/method_sets.hpp"
 #include "tracer/methods/sphere.hpp"
 
 namespace plumb::references::stability {

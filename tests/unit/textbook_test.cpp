@@ -9,7 +9,7 @@
 
 #include "tests/support/random_scene.hpp"
 #include "tests/support/reals.hpp"
-#include "tracer/scene/reader.hpp"
+#include "tracer/format/reader.hpp"
 #include "tracer/textbook/render.hpp"
 #include "tracer/textbook/tracer.hpp"
 

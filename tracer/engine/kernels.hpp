@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "tracer/engine/tile.hpp"
-#include "tracer/engine/vectors.hpp"
+#include "tracer/system/vectors.hpp"
 
 namespace plumb::engine {
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "tracer/engine/tile.hpp"
-#include "tracer/engine/vectors.hpp"
+#include "tracer/system/vectors.hpp"
 
 namespace plumb::engine {
 

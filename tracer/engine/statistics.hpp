@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "tracer/engine/stopwatch.hpp"
+#include "tracer/system/stopwatch.hpp"
 
 namespace plumb::engine {
 

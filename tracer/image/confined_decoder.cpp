@@ -14,7 +14,7 @@
 
 #include "tracer/image/decoded_message.hpp"
 #include "tracer/image/decoder_service.hpp"
-#include "tracer/image/descriptor.hpp"
+#include "tracer/system/descriptor.hpp"
 
 namespace plumb {
 namespace {

@@ -7,11 +7,11 @@
 
 #include <array>
 #include <cerrno>
-#include <filesystem>
 #include <string>
 #include <system_error>
 
 #include "tracer/image/confined_decoder.hpp"
+#include "tracer/system/installation.hpp"
 
 extern char** environ;
 
@@ -64,9 +64,9 @@ DecoderService::Socket DecoderService::running(const Socket& lost) {
   if (::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends.data()) != 0) fail(errno, "socketpair");
   const Descriptor theirs(ends[1]);
   socket_ = std::make_shared<const Descriptor>(ends[0]);
-  const auto program = std::filesystem::read_symlink("/proc/self/exe").parent_path() / decoder_name;
+  const std::string program = module_path(decoder_name);
   try {
-    process_ = spawn(program.string(), theirs.number());
+    process_ = spawn(program, theirs.number());
   } catch (...) {
     socket_.reset();
     throw;

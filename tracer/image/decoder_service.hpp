@@ -7,7 +7,7 @@
 #include <mutex>
 
 #include "tracer/image/decode_request.hpp"
-#include "tracer/image/descriptor.hpp"
+#include "tracer/system/descriptor.hpp"
 
 namespace plumb {
 

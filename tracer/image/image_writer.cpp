@@ -5,9 +5,9 @@
 #include "tracer/image/codecs/codecs.hpp"
 #include "tracer/image/codecs/png_writer.hpp"
 #include "tracer/image/format.hpp"
-#include "tracer/image/module.hpp"
 #include "tracer/image/netpbm_writers.hpp"
 #include "tracer/image/oiio_module.hpp"
+#include "tracer/system/module.hpp"
 
 namespace plumb {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "tracer/image/encode.hpp"
 #include "tracer/image/image.hpp"
-#include "tracer/image/output_file.hpp"
 #include "tracer/image/row_writer.hpp"
+#include "tracer/system/output_file.hpp"
 
 namespace plumb {
 

@@ -12,8 +12,8 @@
 #include "tracer/image/confined_decoder.hpp"
 #include "tracer/image/image_writer.hpp"
 #include "tracer/image/kind.hpp"
-#include "tracer/image/mapped_file.hpp"
-#include "tracer/image/module.hpp"
+#include "tracer/system/mapped_file.hpp"
+#include "tracer/system/module.hpp"
 
 namespace plumb {
 namespace {

@@ -6,10 +6,10 @@
 #include <string>
 #include <string_view>
 
-#include "tracer/image/byte_sink.hpp"
 #include "tracer/image/canvas.hpp"
 #include "tracer/image/kind.hpp"
 #include "tracer/image/row_writer.hpp"
+#include "tracer/system/byte_sink.hpp"
 
 namespace plumb::oiio {
 

@@ -4,7 +4,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "tracer/scene/reader.hpp"
+#include "tracer/scene/scene_error.hpp"
 
 namespace plumb {
 namespace {

@@ -1,6 +1,7 @@
 // The graph of composites: slide "Composite, DAG".
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -9,6 +10,13 @@
 #include "tracer/scene/scene.hpp"
 
 namespace plumb {
+
+/// The limits beyond which a scene is refused.
+inline constexpr std::size_t max_nesting = 1000;  ///< composites within composites
+/// Shapes, a shared child counted once per path: the engine numbers them with 32 bits.
+inline constexpr std::uint64_t max_instances = 4'000'000'000;
+/// The limit beyond which a scene is rendered, but not walked through instance by instance.
+inline constexpr std::uint64_t max_visited_instances = 2'000'000;
 
 /// The children of a composite; none of a sphere or a box.
 const std::vector<ShapeId>& children_of(const Shape& shape);

@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "tracer/scene/lexer.hpp"
+#include "tracer/text/words.hpp"
 
 namespace plumb {
 

@@ -11,8 +11,8 @@
 #include "tests/bench/gate_power/experiment.hpp"
 #include "tests/bench/gate_power/our_gate.hpp"
 #include "tests/bench/gate_power/rules.hpp"
-#include "tracer/image/files.hpp"
-#include "tracer/scene/reader.hpp"
+#include "tracer/format/reader.hpp"
+#include "tracer/system/files.hpp"
 #include "tracer/textbook/rows.hpp"
 
 namespace plumb::gate_power {

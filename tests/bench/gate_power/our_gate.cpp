@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "references/attribution.hpp"
-#include "references/comparison.hpp"
+#include "references/attribution/attribution.hpp"
+#include "references/comparison/comparison.hpp"
 #include "tests/bench/gate_power/resolution.hpp"
 
 namespace plumb::gate_power {
@@ -15,7 +15,7 @@ using references::Cause;
 using references::PixelPlace;
 
 constexpr double tolerance =
-    1e-6;  // what POV-Ray's float32 pixels allow; see README, "How agreement is judged"
+    1e-6;  // what POV-Ray's float32 pixels allow; see RESULTS.md, "How agreement is judged"
 
 /// How much a right picture changes from this pixel to its neighbours: what differs where this is small is
 /// hardly an edge.

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "references/comparison.hpp"
+#include "references/comparison/comparison.hpp"
 #include "tracer/textbook/tracer.hpp"
 
 namespace plumb::gate_power {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "references/metrics/flip.hpp"
+#include "references/comparison/metrics/flip.hpp"
 #include "tests/bench/gate_power/yiq.hpp"
 #include "tracer/image/encode.hpp"
 

@@ -6,9 +6,9 @@
 
 #include "tracer/image/canvas.hpp"
 #include "tracer/image/kind.hpp"
-#include "tracer/image/mapped_file.hpp"
 #include "tracer/image/pixel_rows.hpp"
 #include "tracer/image/read_request.hpp"
+#include "tracer/system/mapped_file.hpp"
 
 namespace plumb::codecs {
 

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <memory>
 
-#include "tracer/image/byte_sink.hpp"
 #include "tracer/image/row_writer.hpp"
+#include "tracer/system/byte_sink.hpp"
 
 namespace plumb::codecs {
 

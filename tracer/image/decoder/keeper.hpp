@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "tracer/image/decode_request.hpp"
-#include "tracer/image/descriptor.hpp"
+#include "tracer/system/descriptor.hpp"
 
 namespace plumb::decoder {
 

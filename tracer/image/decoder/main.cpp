@@ -20,8 +20,8 @@
 #include "tracer/image/decoder/keeper.hpp"
 #include "tracer/image/decoder/rest.hpp"
 #include "tracer/image/decoder/shared_canvas.hpp"
-#include "tracer/image/module.hpp"
 #include "tracer/image/oiio_module.hpp"
+#include "tracer/system/module.hpp"
 
 namespace plumb::decoder {
 namespace {

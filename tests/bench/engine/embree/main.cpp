@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/bench/engine/embree/render.hpp"
+#include "tracer/format/reader.hpp"
 #include "tracer/image/io.hpp"
-#include "tracer/scene/reader.hpp"
 
 namespace plumb::bench {
 namespace {

@@ -1,0 +1,96 @@
+// The pixel budget: every pixel over the tolerance gets exactly one cause, proven by tracing it again.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "references/attribution/perturbation.hpp"
+#include "references/comparison/comparison.hpp"
+#include "tracer/scene/render_options.hpp"
+#include "tracer/scene/scene.hpp"
+
+namespace plumb::references {
+
+/// Why a pixel is over the tolerance. All but the last are matters of chance or of the reference's format,
+/// and no fault of either renderer.
+enum class Cause {
+  silhouette,           ///< the sample lies on the edge of an object or of a face
+  shadow_edge,          ///< the point lies on the edge of a shadow, or where n.l is 0
+  secondary_edge,       ///< such an edge seen in a mirror or through glass
+  coincident,           ///< two surfaces are at one place, and either may be met
+  reference_tolerance,  ///< something is nearer to the start of a ray than the reference resolves
+  depth,                ///< the reference stopped one ray earlier or later
+  quantisation,         ///< the reference holds integers: rounding gives its value exactly
+  clamped,              ///< the reference cannot hold more than 1
+  undecided,            ///< the scene's last digits leave both values open, see settle_undecided
+  unexplained,          ///< none of these: a difference of the model
+};
+inline constexpr std::size_t cause_count = 10;
+
+/// As it stands in JSON, e.g. "shadow_edge".
+const char* to_string(Cause cause);
+
+struct AttributedPixel {
+  int x;
+  int y;
+  Cause cause;
+};
+
+struct Budget {
+  std::vector<AttributedPixel> pixels;  ///< all that are over, row by row
+  std::vector<std::string> shapes;      ///< whose move alone changes an edge or a coincidence among them
+  std::size_t unexamined = 0;           ///< of the unexplained, those that were not tried to the end
+
+  std::size_t count(Cause cause) const;
+  /// Where the reference shows another surface than ours, or another shadow, because two are nearer to each
+  /// other than it resolves, and where both values are open: nobody but us said what colour our surface has
+  /// there. (At an edge the pixels beside it say so.)
+  std::size_t unverified() const {
+    return count(Cause::coincident) + count(Cause::reference_tolerance) + count(Cause::undecided);
+  }
+  /// What a reader of the counts must know when pixels were not examined; else empty.
+  std::string note() const;
+  std::size_t explained() const { return pixels.size() - count(Cause::unexplained); }
+};
+
+/// How exactly a reference's file holds its values.
+enum class Precision {
+  float32,
+  bits16,  ///< 0..1 rounded to 1/65535
+  bits8,   ///< 0..1 rounded to 1/255
+};
+
+/// What a budget is made from. The scene is as read_scene returns it; both pictures have one size.
+struct AttributionJob {
+  const Scene& scene;
+  const Camera& camera;
+  const RenderOptions& options;
+  const Image& reference;
+  const Image& test;
+  double tolerance;  ///< as in compare()
+  Precision precision = Precision::float32;
+  Judge judge = Judge::povray;
+  double work = 2.5e8;  ///< units of Work that are spent at most, about 5 s; a fifth more to name the shapes
+};
+
+/// An edge, a coincidence or the reference's tolerance is proven when moving surfaces by a distance that the
+/// reference does not resolve (see Perturbation) makes the traced pixel jump, by more than the tolerance and
+/// 1e3 times the move (in shares of the extent), when one of the outcomes is the reference's value and
+/// another one the test's, each within the tolerance, and when the ray trees of the two have another hit,
+/// light or ray: the first difference names the cause. Depth is proven when the test's value is traced, one
+/// ray more or less gives the reference's, which is another one, and the ray trees part at the limit; against
+/// a baseline it is no excuse. Rounding is proven by making it, clamping by tracing the test's value, too.
+/// Pixels with more rays than are traced (see TreeTracer) and non-finite ones are never explained. Of more
+/// than 2,000 pixels 256 are tried first: when one of them has no cause, the verdict is settled, and the
+/// others are unexamined; so are those that are left when the work (see Work) is done.
+Budget attribute(const AttributionJob& job);
+
+/// The bound that a cause breaks, in words; empty when all hold. An edge meets pixel centres by chance at
+/// some points, or along a line when it runs along the pixels: two lines each way, and at most 16 and 5 % of
+/// the pixels, are allowed for each kind of edge. Of the pixels where rays end at the depth limit, 16 and
+/// 1 %: more would be seen, and be the model. Of the picture 1 % may be unverified. Quantised values are each
+/// reproduced exactly, so these have no bound.
+std::string broken_bound(const Budget& budget, int width, int height);
+
+}  // namespace plumb::references

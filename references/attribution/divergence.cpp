@@ -1,0 +1,93 @@
+#include "references/attribution/divergence.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace plumb::references {
+namespace {
+
+using textbook::LightSeen;
+using textbook::no_instance;
+using textbook::SurfaceId;
+
+constexpr double one_place = 1e-6;   // of the extent: 100 steps, for rays that graze the surfaces
+constexpr double resolved = 2.5e-8;  // of the extent: two steps; beyond, only POV-Ray's shadow tolerance acts
+constexpr double shadow_tolerance = 2e-7;  // of the extent: twice POV-Ray's
+
+bool is_seen(const LightSeen<double>& light) { return light.counts && light.delta != Rgbd(0); }
+
+class Divergence {
+ public:
+  explicit Divergence(double extent) : extent_(extent) {}
+
+  /// `start` is the surface that both rays start on.
+  std::optional<Cause> first(const RayNode& a, const RayNode& b, SurfaceId start) const {
+    if (a.is_at_depth_limit != b.is_at_depth_limit) return Cause::depth;
+    if (surface(a) != surface(b)) return other_hit(a, b, start);
+    if (!a.meeting) return {};
+    if (const auto cause = other_light(a, b)) return cause;
+    if (!have_same_kinds(a, b)) return Cause::secondary_edge;  // at the critical angle
+    for (std::size_t i = 0; i < a.children.size(); ++i) {
+      if (const auto cause = first(a.children[i], b.children[i], surface(a))) return cause;
+    }
+    return {};
+  }
+
+ private:
+  static SurfaceId surface(const RayNode& node) { return node.meeting ? node.meeting->surface : SurfaceId{}; }
+
+  Cause edge(const RayNode& node, Cause of_camera_ray) const {
+    return node.kind == textbook::RayKind::camera ? of_camera_ray : Cause::secondary_edge;
+  }
+
+  Cause other_hit(const RayNode& a, const RayNode& b, SurfaceId start) const {
+    const auto t = [](const RayNode& n) {
+      return n.meeting ? n.meeting->t : std::numeric_limits<double>::infinity();
+    };
+    const RayNode& nearer = t(a) < t(b) ? a : b;
+    const bool are_two = surface(a).instance != surface(b).instance;
+    if (std::abs(t(a) - t(b)) <= one_place * extent_ && are_two) return Cause::coincident;
+    if (t(nearer) <= one_place * extent_ && a.kind != textbook::RayKind::camera) {
+      return surface(nearer).instance == start.instance ? Cause::reference_tolerance : Cause::coincident;
+    }
+    return edge(a, Cause::silhouette);
+  }
+
+  std::optional<Cause> other_light(const RayNode& a, const RayNode& b) const {
+    const auto& seen = a.meeting->lights;
+    const auto& other = b.meeting->lights;
+    for (std::size_t i = 0; i < std::min(seen.size(), other.size()); ++i) {
+      if (seen[i].counts == other[i].counts && seen[i].delta == other[i].delta) continue;
+      return hidden_by(is_seen(seen[i]) ? other[i] : seen[i], a);
+    }
+    return {};
+  }
+
+  /// What it means that one of the two does not see the light.
+  Cause hidden_by(const LightSeen<double>& hidden, const RayNode& node) const {
+    const double from_point = hidden.blocker.t;
+    const double from_light = std::abs(hidden.distance - hidden.blocker.t);
+    const double nearest = std::min(from_point, from_light);
+    if (!hidden.counts || hidden.blocker.surface.instance == no_instance ||
+        nearest > shadow_tolerance * extent_)
+      return edge(node, Cause::shadow_edge);
+    const bool is_other = hidden.blocker.surface.instance != surface(node).instance;
+    return is_other && from_point <= resolved * extent_ ? Cause::coincident : Cause::reference_tolerance;
+  }
+
+  static bool have_same_kinds(const RayNode& a, const RayNode& b) {
+    return std::equal(a.children.begin(), a.children.end(), b.children.begin(), b.children.end(),
+                      [](const RayNode& x, const RayNode& y) { return x.kind == y.kind; });
+  }
+
+  double extent_;
+};
+
+}  // namespace
+
+std::optional<Cause> first_divergence(const RayNode& ours, const RayNode& other, double extent) {
+  return Divergence(extent).first(ours, other, {});
+}
+
+}  // namespace plumb::references

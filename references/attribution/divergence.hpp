@@ -1,0 +1,16 @@
+// Where two ray trees of one pixel part, and what that says.
+#pragma once
+
+#include <optional>
+
+#include "references/attribution/attribution.hpp"
+#include "references/attribution/ray_tree.hpp"
+
+namespace plumb::references {
+
+/// The cause by the first difference of the trees, from the camera on: another hit, then another light seen,
+/// then other rays that follow. Surfaces within 1e-6 of `extent` (world lengths) along a ray are at one
+/// place. Nothing when both trees meet the same.
+std::optional<Cause> first_divergence(const RayNode& ours, const RayNode& other, double extent);
+
+}  // namespace plumb::references

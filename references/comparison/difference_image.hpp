@@ -1,0 +1,26 @@
+// The difference of two pictures, as a picture.
+#pragma once
+
+#include <string>
+
+#include "references/comparison/pixel_mask.hpp"
+#include "tracer/image/pixel_rows.hpp"
+
+namespace plumb::references {
+
+/// What was written: 1 over the difference that is white; 1 for files of floats.
+struct DifferenceImage {
+  double scale = 1;
+  bool is_float = false;
+  bool has_non_finite = false;
+  bool leaves_out_channels = false;  ///< what follows the first three, or a second one
+};
+
+/// |test - reference| of the first three channels, one channel thrice; black where the mask leaves pixels
+/// out. EXR and PFM hold it as it is, linear, NaN where a value is not finite. Other formats hold it scaled,
+/// so that the largest difference is white, in their usual encoding; what is not finite is magenta. Throws
+/// std::runtime_error or std::invalid_argument naming the path; then nothing is written.
+DifferenceImage write_difference(const std::string& path, const PixelRows& reference, const PixelRows& test,
+                                 const PixelMask& mask);
+
+}  // namespace plumb::references

@@ -1,0 +1,49 @@
+// FLIP: how different two pictures look when they are flipped in place, per pixel from 0 to 1.
+// LDR-FLIP: P. Andersson, J. Nilsson, T. Akenine-Moller, M. Oskarsson, K. Astrom, M. D. Fairchild, "FLIP: A
+// Difference Evaluator for Alternating Images", High Performance Graphics 2020. HDR-FLIP: P. Andersson, J.
+// Nilsson, P. Shirley, T. Akenine-Moller, "Visualizing Errors in Rendered High Dynamic Range Images",
+// Eurographics 2021. The observer is the papers': a 0.7 m wide screen of 3840 pixels seen from 0.7 m, 67.02
+// pixels a degree.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "references/comparison/metrics/picture.hpp"
+
+namespace plumb::references {
+
+/// What the values of a picture mean.
+enum class ColourSpace {
+  srgb,   ///< encoded by the sRGB curve, 0 to 1: judged by LDR-FLIP
+  linear  ///< light, possibly above 1: judged by HDR-FLIP
+};
+
+/// Exposures of HDR-FLIP, in stops: 2021, section 3.2, from the reference alone, for the tone curve ACES of
+/// K. Narkowicz (2016) without its pre-exposure of 0.6.
+struct Exposures {
+  double start = 0;  ///< the brightest pixel reaches 0.85
+  double stop = 0;   ///< the median pixel reaches 0.85
+  int count = 1;     ///< at least 2, whole stops apart at most; 1, of 0 stops, for a black reference
+};
+
+struct Flip {
+  double mean = 0;
+  double max = 0;
+  std::optional<Exposures> exposures;  ///< of HDR-FLIP
+};
+
+/// The largest and the median luminance of the reference decide; a median below 2^-23 counts as
+/// 2^-23, and a reference without any pixel above that counts as black: the range of exposures is the paper's
+/// only as long as the largest is not below the median, and float32 holds no factor that would show less.
+Exposures flip_exposures(const PictureView& reference);
+
+/// FLIP of every pixel, row by row; for linear colours the largest over all exposures (2021, section 3.1).
+/// Pictures of one size with finite components; of more than three channels the first three count, of fewer
+/// the first is grey.
+std::vector<float> flip_map(const PictureView& reference, const PictureView& test, ColourSpace space);
+
+/// Mean and largest value of that map.
+Flip flip(const PictureView& reference, const PictureView& test, ColourSpace space);
+
+}  // namespace plumb::references

@@ -1,0 +1,18 @@
+// SSIM, the structural similarity of two pictures.
+// Z. Wang, A. C. Bovik, H. R. Sheikh, E. P. Simoncelli, "Image Quality Assessment: From Error Visibility to
+// Structural Similarity", IEEE Transactions on Image Processing 13(4), 2004, section III.
+#pragma once
+
+#include <optional>
+
+#include "references/comparison/metrics/picture.hpp"
+
+namespace plumb::references {
+
+/// The mean over all 11 x 11 windows that lie wholly inside (Gaussian of 1.5 pixels, K1 = 0.01, K2 = 0.03),
+/// of the luminance 0.2126 r + 0.7152 g + 0.0722 b of the values as they stand, or of the first channel when
+/// there are fewer than three. `peak` is the paper's dynamic range L. 1 for equal pictures; nothing when no
+/// window fits.
+std::optional<double> ssim(const PictureView& reference, const PictureView& test, double peak);
+
+}  // namespace plumb::references

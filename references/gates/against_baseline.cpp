@@ -1,0 +1,72 @@
+#include "references/gates/against_baseline.hpp"
+
+#include <algorithm>
+
+namespace plumb::references {
+namespace {
+
+PictureView view_of(const Image& image) { return {image.width, image.height, 3, image.rgb.data()}; }
+
+/// The image, with the baseline's values where a pixel does not count or is within a relative limit: there
+/// is nothing to explain.
+Image with_what_is_allowed(const BaselineJob& job) {
+  Image allowed = job.image;
+  const PixelMask mask = mask_of(job.bounds, allowed.width, allowed.height);
+  for (int y = 0; y < allowed.height; ++y) {
+    for (int x = 0; x < allowed.width; ++x) {
+      const float* const baseline = job.baseline.pixel(x, y);
+      const bool is_allowed =
+          job.bounds.limit.is_relative() && is_within(baseline, job.image.pixel(x, y), job.bounds.limit);
+      if (!mask.has(x, y) || is_allowed) std::copy_n(baseline, 3, allowed.pixel(x, y));
+    }
+  }
+  return allowed;
+}
+
+}  // namespace
+
+BoundedComparison judge_own(const Scene& scene, const Camera& camera, const RenderOptions& options,
+                            const BaselineJob& job, SceneResult& result) {
+  const BoundedComparison bounded = compare_within(job.baseline, job.image, job.bounds);
+  const bool is_whole = !job.bounds.has_regions() && !job.bounds.limit.is_relative();
+  const Image allowed = is_whole ? Image() : with_what_is_allowed(job);
+  const Image& test = is_whole ? job.image : allowed;
+  const AttributionJob traced{
+      scene,          camera, options, job.baseline, test, job.bounds.limit.tolerance, Precision::float32,
+      Judge::baseline};
+  judge(traced, result);
+  result.comparison = bounded.comparison;
+  result.mask = mask_of(job.bounds, job.image.width, job.image.height);
+  if (bounded.agrees()) result.status = Status::agree;
+  if (job.keeps_pictures) {
+    const AttributionJob shown{scene,
+                               camera,
+                               options,
+                               job.baseline,
+                               job.image,
+                               job.bounds.limit.tolerance,
+                               Precision::float32,
+                               Judge::baseline};
+    result.pictures = pictures_of(shown, result.comparison, result.budget);
+  }
+  return bounded;
+}
+
+BoundedComparison judge_others(const BaselineJob& job, SceneResult& result) {
+  const BoundedComparison bounded = compare_within(job.baseline, job.image, job.bounds);
+  result.mask = mask_of(job.bounds, job.image.width, job.image.height);
+  for (const PixelPlace place : pixels_over(job.baseline, job.image, job.bounds.limit, result.mask))
+    result.budget.pixels.push_back({place.x, place.y, Cause::unexplained});
+  result.metrics = cheap_metrics(view_of(job.baseline), view_of(job.image));
+  result.comparison = bounded.comparison;
+  result.status = bounded.agrees() ? Status::agree : Status::differ;
+  result.not_compared.clear();
+  if (!job.keeps_pictures) return bounded;
+  auto pictures = std::make_shared<Pictures>();
+  pictures->reference = std::make_shared<const Image>(job.baseline);
+  pictures->ours = std::make_shared<const Image>(job.image);
+  result.pictures = std::move(pictures);
+  return bounded;
+}
+
+}  // namespace plumb::references

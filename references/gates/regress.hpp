@@ -1,0 +1,69 @@
+// Regression gates: the scenes of a directory against the images that were approved for them.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "references/gates/baselines.hpp"
+#include "references/gates/bounds.hpp"
+#include "references/gates/scene_directory.hpp"
+#include "references/gates/verify.hpp"
+
+namespace plumb::references {
+
+/// Somebody else's renderer, which makes the images in place of plumb.
+struct OtherRenderer {
+  std::string command;  ///< as it was asked for
+  struct Picture {
+    Image image;             ///< values as they stand in its file
+    std::string not_stored;  ///< what else the file holds; empty when that is all
+  };
+  /// Throws std::runtime_error, saying what went wrong with this scene.
+  std::function<Picture(const std::string& scene_path)> picture_of;
+};
+
+/// `tolerance` is that of the bounds. With another renderer, the options that say how plumb renders count for
+/// nothing.
+struct RegressOptions : PictureOptions {
+  int threads = 0;  ///< 0: as many as the machine runs at once
+  Bounds bounds;    ///< of scenes about which bounds.json says nothing
+  std::string variant;
+  std::optional<OtherRenderer> other;
+  /// Called now and then, from one thread at a time, with the fraction of the scene that is done; may be
+  /// empty.
+  std::function<void(double)> progress;
+};
+
+/// What was allowed besides the tolerance, and what came of it.
+struct UsedBounds {
+  Bounds bounds;
+  BoundedComparison comparison;
+};
+
+/// One scene, or one baseline whose scene is gone. `differ`: the images differ or there is no baseline yet.
+/// `error`: it could not be judged.
+struct RegressedScene {
+  std::string name;
+  SceneResult result;
+  double seconds = 0;            ///< on the clock
+  bool can_be_approved = false;  ///< an update makes it agree
+  std::optional<UsedBounds> bounds;
+  std::optional<Image> image;  ///< both only while `done` runs, where they could be had
+  std::optional<Image> baseline;
+};
+
+/// Each scene, then each baseline whose scene is gone. One bad scene never stops the others; throws
+/// std::runtime_error when there is no scene or when the records of the baselines or the bounds are damaged.
+std::vector<RegressedScene> regress(const std::string& directory, const RegressOptions& options,
+                                    const std::function<void(const RegressedScene&)>& done);
+
+/// The picture that the options ask for. Throws std::runtime_error.
+OtherRenderer::Picture rendered(const std::string& scene_path, const RegressOptions& options,
+                                const std::function<void(const std::string&)>& warn = {});
+
+/// How many pixels are not finite, and the first of them; empty when all are.
+std::string non_finite_pixels(const Image& image);
+
+}  // namespace plumb::references

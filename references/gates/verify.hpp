@@ -1,0 +1,105 @@
+// Renders a scene, has the reference renderer render its export, and compares every pixel.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "references/attribution/attribution.hpp"
+#include "references/attribution/terms.hpp"
+#include "references/comparison/comparison.hpp"
+#include "references/comparison/metrics/metrics.hpp"
+#include "references/comparison/pixel_mask.hpp"
+#include "references/renderers/ours.hpp"
+#include "references/report/pictures.hpp"
+#include "references/truth/judgement.hpp"
+#include "tracer/format/dialect.hpp"
+#include "tracer/scene/render_options.hpp"
+#include "tracer/scene/scene.hpp"
+#include "tracer/textbook/render.hpp"
+
+namespace plumb::references {
+
+enum class Status { agree, differ, error };
+
+const char* to_string(Status status);
+
+struct Size {
+  int width;
+  int height;
+};
+
+/// How scenes are read, rendered on our side and compared, whatever they are compared with.
+struct PictureOptions {
+  std::optional<Size> size;  ///< instead of the scenes' own
+  std::string camera;        ///< instead of the scenes' own, when not empty
+  double tolerance = 1e-6;
+  Dialect dialect;
+  RenderOptions render;
+  RealType real = RealType::float64;
+  Renderer renderer = Renderer::engine;  ///< of our side
+  bool keeps_pictures = false;           ///< in the results while they are reported, for a report
+};
+
+struct VerifyOptions : PictureOptions {
+  bool stored = false;              ///< compare with stored images, start no POV-Ray
+  int jobs = 0;                     ///< scenes at once; 0: as many as keep the machine busy
+  double time_limit_seconds = 600;  ///< for one run of POV-Ray
+  bool terms = false;               ///< also compare each term of the shading alone
+  bool judge = false;  ///< also say, of each pixel over, who is wrong: ours nowhere, or it differs
+  std::function<void(const std::string&)> on_notice;  ///< called first, when there is one; may be empty
+  /// Renders our side in place of `renderer`, to be judged; may be empty.
+  std::function<Image(const Scene&, const Camera&, const RenderJob&)> render_ours;
+};
+
+/// One term of the shading alone, on both sides.
+struct TermResult {
+  Term term;
+  bool in_scene = true;                  ///< both sides are black where the scene has none of it
+  std::optional<Comparison> comparison;  ///< of a term in the scene; nothing when it could not be made
+  std::size_t unexplained = 0;           ///< pixels
+};
+
+struct SceneResult {
+  std::string scene;
+  Status status = Status::error;
+  std::string message;
+  int width = 0;
+  int height = 0;
+  std::string not_compared = "nothing was compared";  ///< why there are no figures; empty when there are
+  Comparison comparison;
+  PixelMask mask;   ///< of the pixels that count; some do not where bounds leave regions out
+  Metrics metrics;  ///< the cheap ones
+  Budget budget;
+  std::vector<TermResult> terms;       ///< all, when they were asked for
+  std::optional<Judgement> judgement;  ///< when it was asked for
+  double seconds_ours = 0;             ///< of CPU time
+  double seconds_reference = 0;        ///< of CPU time, when it was rendered
+  bool cached = false;                 ///< or stored: the reference was not rendered now
+  bool stored = false;
+  std::shared_ptr<const Pictures> pictures;  ///< when they are kept, and it was rendered
+};
+
+/// Compares the pictures, attributes every pixel over, and sets the figures and the status; where there is a
+/// judgement already, what it refutes is unexplained. The budget in words goes to the message. Width and
+/// height are set already.
+void judge(const AttributionJob& job, SceneResult& result);
+
+struct VerifyReport {
+  std::string reference_version;
+  std::string notice;               ///< to be said loudly: stored images are used because ...
+  std::string complaint;            ///< to be said: the cache cannot be written; figures and verdicts stand
+  std::vector<SceneResult> scenes;  ///< in the order asked for
+
+  /// 0 all agree, 1 some differ, 2 trouble.
+  int exit_code() const;
+};
+
+/// One bad scene never stops the others. `done` is called in the order of the scenes, from one thread at a
+/// time.
+VerifyReport verify(const std::vector<std::string>& scenes, const VerifyOptions& options,
+                    const std::function<void(SceneResult&)>& done);
+
+}  // namespace plumb::references

@@ -1,0 +1,48 @@
+// Pictures that POV-Ray rendered before, kept under a hash of all that determines them.
+#pragma once
+
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "references/renderers/povray.hpp"
+
+namespace plumb::references {
+
+class Cache {
+ public:
+  /// In $PLUMB_CACHE, or plumb in $XDG_CACHE_HOME or ~/.cache. Nothing is made until something is stored.
+  Cache();
+  explicit Cache(std::string directory) : directory_(std::move(directory)) {}
+
+  const std::string& directory() const { return directory_; }
+
+  /// Version of a povray program; asks it only when the file at its path is another than last time.
+  std::string version_of(const Povray& povray) const;
+
+  /// Nothing when there is no entry, or a damaged one: every entry carries a hash of its own bytes.
+  std::optional<PovrayPicture> find(const PovrayJob& job, const std::string& version) const;
+
+  /// A cache that cannot be written (a full disk, say) is no error: the next run renders again, and
+  /// complaint() tells of it.
+  void store(const PovrayJob& job, const std::string& version, const PovrayPicture& picture) const;
+
+  /// Where the entry of a job is, or would be.
+  std::string entry_path(const PovrayJob& job, const std::string& version) const;
+
+  /// What could not be written first, why, and what to do about it; empty when all could.
+  std::string complaint() const;
+
+ private:
+  void write_entry(const std::string& path, const std::string& bytes) const;
+  void prune() const;
+
+  std::string directory_;
+  mutable std::mutex mutex_;
+  mutable std::string complaint_;
+};
+
+/// Most bytes that a cache keeps; the entries used least recently go first.
+inline constexpr unsigned long long largest_cache = 4ULL << 30;
+
+}  // namespace plumb::references

@@ -1,0 +1,58 @@
+// The ways in which a chart has a picture made.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "references/renderers/povray.hpp"
+#include "tracer/image/image.hpp"
+#include "tracer/scene/render_job.hpp"
+#include "tracer/scene/scene.hpp"
+
+namespace plumb::references {
+
+/// A scene as it is to be rendered.
+struct ChartView {
+  const Scene& scene;
+  const Camera& camera;
+  RenderJob job;  ///< size and options; one thread
+};
+
+/// What a picture is held against.
+enum class Truth {
+  pixel_centres,  ///< the textbook tracer in 113 bits: one exact sample through each pixel's centre
+  pixel_areas     ///< the mean over the pixel's area, of very many samples
+};
+
+/// One way. Its strings say how: null in JSON where they are empty.
+struct Configuration {
+  std::string id;     ///< unique, of a-z 0-9 and -
+  std::string work;   ///< the same for those that do the same and are only judged otherwise: it is timed once
+  std::string title;  ///< for a reader
+  std::string renderer;
+  std::string real;
+  std::string methods;
+  std::optional<bool> hierarchy;
+  int samples = 1;     ///< of a pixel at most: POV-Ray takes more only where neighbours differ
+  std::string output;  ///< what POV-Ray's picture is read from
+  Truth truth = Truth::pixel_centres;
+  std::function<Image(const ChartView&)> render;
+  /// The same work for next to no pixels, whose cost is no rendering; empty for what runs in this process.
+  std::function<void(const ChartView&)> start;
+};
+
+/// Beyond so many objects, nothing is rendered without a hierarchy by the engine.
+inline constexpr std::uint64_t most_without_hierarchy = 1000;
+
+/// What costs are counted in: measured beside every other configuration, in the same minute.
+Configuration yardstick();
+
+/// All ways to render this scene that make sense; POV-Ray's when there is one.
+std::vector<Configuration> configurations(const Scene& scene, const Povray* povray);
+
+/// What was left out of configurations() for this scene, and why; empty when nothing.
+std::vector<std::string> left_out(const Scene& scene, const Povray* povray);
+
+}  // namespace plumb::references

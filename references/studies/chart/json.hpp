@@ -1,0 +1,14 @@
+// A chart as JSON, for plotting it and for programs.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "references/studies/chart/chart.hpp"
+
+namespace plumb::references {
+
+/// plumb, machine, povray, size, runs, truths, cost, instructions_complaint, scenes: [{scene, left_out,
+/// points}].
+nlohmann::ordered_json to_json(const Chart& chart);
+
+}  // namespace plumb::references

@@ -1,0 +1,39 @@
+// What was measured of one configuration, and where it is kept until the chart is complete.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "references/studies/chart/cost.hpp"
+
+namespace plumb::references {
+
+/// Absolute differences of linear components, as in Comparison.
+struct ErrorFigures {
+  double max = 0;
+  double rms = 0;
+  std::size_t pixels_over = 0;  ///< 1e-6, relative above 1; those that are not finite included
+  std::size_t non_finite = 0;   ///< pixels
+};
+
+struct MeasuredRun {
+  Cost cost;
+  double yardstick_seconds = 0;  ///< of the yardstick, measured just before
+};
+
+struct Measurement {
+  std::optional<ErrorFigures> error;
+  std::vector<MeasuredRun> runs;
+
+  double seconds() const;  ///< of processor time, of all runs
+};
+
+/// Nothing measured when there is no such file, or a damaged one.
+Measurement load_measurement(const std::string& path);
+
+/// Throws std::runtime_error when the file cannot be written.
+void store_measurement(const std::string& path, const Measurement& measurement);
+
+}  // namespace plumb::references

@@ -1,0 +1,30 @@
+// What features of a scene cost: CPU time with them against without.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "references/studies/needs/untouched.hpp"
+#include "tracer/scene/render_job.hpp"
+
+namespace plumb::references {
+
+struct Cost {
+  std::string feature;
+  double ratio = 1;                ///< of CPU time with it to without: the median of the rounds
+  double least = 1, greatest = 1;  ///< of the rounds
+};
+
+struct Costs {
+  double cpu_seconds = 0;  ///< of the picture with all: the median
+  int rounds = 0;
+  std::vector<Cost> costs;
+};
+
+/// Renders the picture on one thread of the engine with all, then without each feature that it has, and so on
+/// in rounds: what disturbs the machine disturbs both sides of a ratio.
+Costs measure_costs(const Scene& scene, const Camera& camera, const RenderJob& job,
+                    const Untouched& untouched);
+
+}  // namespace plumb::references

@@ -1,0 +1,156 @@
+#include "references/studies/stability/rendered.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <semaphore>
+#include <utility>
+
+#include "exporters/povray.hpp"
+#include "references/comparison/comparison.hpp"
+#include "references/renderers/povray.hpp"
+#include "references/truth/oracle.hpp"
+#include "tracer/textbook/render.hpp"
+
+namespace plumb::references::stability {
+namespace {
+
+constexpr double tolerance = 1e-6;  // because agreement of pictures is that of compare()
+
+/// Null when there is none on this machine.
+const Povray* installed_povray() {
+  static const std::unique_ptr<Povray> found = [] {
+    try {
+      return std::make_unique<Povray>();
+    } catch (const PovrayError&) {
+      return std::unique_ptr<Povray>();
+    }
+  }();
+  return found.get();
+}
+
+Image render_by_povray(const World& world, int side, bool rescaled, std::vector<std::string> more) {
+  const Povray* const povray = installed_povray();
+  if (povray == nullptr) throw Unavailable("POV-Ray is not on PATH: apt-get install povray");
+  const auto space = rescaled ? exporters::export_space(world.scene, world.camera)
+                              : exporters::ExportSpace{1, Vec3d(0), false, false};
+  const auto exported = exporters::export_povray(world.scene, world.camera, side, side, {}, space);
+  PovrayJob job{exported.text, side, side};
+  job.without_bounding = exported.needs_flat_objects;
+  job.more_arguments = std::move(more);
+  static std::counting_semaphore<> free(16);  // of 40 MiB each, most of the time asleep
+  free.acquire();
+  const auto release = [](std::counting_semaphore<>* held) { held->release(); };
+  const std::unique_ptr<std::counting_semaphore<>, decltype(release)> held(&free, release);
+  return povray->render(job).image;
+}
+
+double relative_error(double value, double truth) {
+  const double error = std::abs(value - truth) / std::max(1.0, std::abs(truth));
+  return std::isfinite(error) ? error : std::numeric_limits<double>::infinity();
+}
+
+/// To the nearest of the answers, worst of the components.
+double error_of(const float* value, const Answers& answers) {
+  double worst = 0;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double nearest =
+        std::isnan(value[c]) ? answers.least[c] : std::clamp(value[c], answers.least[c], answers.most[c]);
+    worst = std::max(worst, relative_error(value[c], nearest));
+  }
+  return worst;
+}
+
+bool shows(const float* value, const Rgbd& colour) {
+  const std::array<float, 3> wanted{static_cast<float>(colour.x), static_cast<float>(colour.y),
+                                    static_cast<float>(colour.z)};
+  return is_within(wanted.data(), value, tolerance);
+}
+
+void count(Outcome& outcome, const Scene& scene, const float* value, double error) {
+  outcome.relative = std::max(outcome.relative, error);
+  if (error <= tolerance) return;
+  outcome.wrong += 1;
+  outcome.missed |= shows(value, scene.background);
+  outcome.self_shadow |= shows(value, scene.ambient);  // ka is 1
+}
+
+}  // namespace
+
+RenderWorld by_textbook(RealType real) {
+  return [real](const World& world, int side) {
+    RenderJob job;
+    job.width = job.height = side;
+    job.threads = 1;
+    job.real = real;
+    return textbook::render(world.scene, world.camera, job);
+  };
+}
+
+RenderWorld by_povray(bool rescaled) {
+  return [rescaled](const World& world, int side) { return render_by_povray(world, side, rescaled, {}); };
+}
+
+RenderWorld by_povray_in_other_blocks() {
+  return [](const World& world, int side) { return render_by_povray(world, side, false, {"+BS4", "+WT1"}); };
+}
+
+const std::string& povray_version() {
+  static const std::string version =
+      installed_povray() == nullptr ? std::string() : "POV-Ray " + installed_povray()->version();
+  return version;
+}
+
+Probe against_oracle(const std::string& condition, RenderWorld render) {
+  return [condition, render = std::move(render)](double value, int side) {
+    const World world = world_of(condition, value).value();
+    const Image image = render(world, side);
+    Work work(std::numeric_limits<double>::infinity());
+    const Oracle oracle(world.scene, world.camera, side, side, {}, work);
+    Outcome outcome;
+    int pixels = 0;
+    for (int y = 0; y < side; ++y) {
+      for (int x = 0; x < side; ++x) {
+        const float* const seen = image.pixel(x, y);
+        const auto truth = oracle.colour(x, y);
+        if (!truth) continue;
+        const Colour exact = to_colour(*truth);
+        double error = error_of(seen, {exact, exact});
+        if (error > tolerance) {
+          const auto answers = oracle.answers(x, y);
+          if (!answers) continue;
+          error = error_of(seen, *answers);
+        }
+        ++pixels;
+        count(outcome, world.scene, seen, error);
+      }
+    }
+    outcome.counts = pixels > 0;
+    if (outcome.counts) outcome.wrong /= pixels;
+    return outcome;
+  };
+}
+
+Probe against_each_other(const std::string& condition, RenderWorld render, RenderWorld other) {
+  return [condition, render = std::move(render), other = std::move(other)](double value, int side) {
+    const World world = world_of(condition, value).value();
+    const Image image = render(world, side), second = other(world, side);
+    Outcome outcome;
+    outcome.counts = true;
+    for (int y = 0; y < side; ++y) {
+      for (int x = 0; x < side; ++x) {
+        const float* const p = second.pixel(x, y);
+        const Colour wanted{p[0], p[1], p[2]};
+        const double error = error_of(image.pixel(x, y), {wanted, wanted});
+        outcome.relative = std::max(outcome.relative, error);
+        outcome.wrong += error > tolerance ? 1 : 0;
+      }
+    }
+    outcome.wrong /= static_cast<double>(side) * side;
+    return outcome;
+  };
+}
+
+}  // namespace plumb::references::stability

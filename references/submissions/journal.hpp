@@ -1,0 +1,53 @@
+// Results kept in a file as they come, so that an interrupted run goes on where it was: one line of JSON
+// each.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "references/submissions/grade.hpp"
+#include "tracer/system/descriptor.hpp"
+
+namespace plumb::references {
+
+/// All functions may be called from several threads at once.
+class Journal {
+ public:
+  /// Opens the file, or makes it. A last line that is not whole, as a killed run leaves it, is cut off.
+  /// Throws std::runtime_error when the file is something else, cannot be written, or is another run's.
+  explicit Journal(const std::string& path);
+
+  /// Lines that were there when it was opened.
+  std::size_t found() const { return found_; }
+  const std::string& path() const { return path_; }
+
+  /// The result of that key, or nothing.
+  std::optional<JudgedPicture> find(const std::string& key) const;
+
+  /// Appends the result and `figures`, the HTML of its pictures, and sets picture.kept. Throws
+  /// std::runtime_error; then the file is as it was.
+  void keep(const std::string& key, JudgedPicture& picture, const std::string& figures);
+
+  /// HTML of the pictures of a result that find() or keep() has seen; empty when none was kept.
+  std::string figures_of(const JudgedPicture& picture) const;
+
+  /// Removes the file: all is done.
+  void remove();
+
+ private:
+  void read_lines();
+  void append(const std::string& line);
+  std::string line_at(const KeptLine& line) const;
+
+  std::string path_;
+  Descriptor file_;
+  std::uint64_t size_ = 0;
+  std::size_t found_ = 0;
+  std::map<std::string, KeptLine> lines_;
+  mutable std::mutex mutex_;
+};
+
+}  // namespace plumb::references

@@ -1,0 +1,130 @@
+#include "references/submissions/record.hpp"
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace plumb::references {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const Fault* fault_of(const Json& id) {
+  const Fault* const fault = find_fault(id.get<std::string>());
+  if (fault == nullptr) throw std::runtime_error("an unknown fault");
+  return fault;
+}
+
+/// JSON has no NaN: null stands for it.
+double real_of(const Json& number) {
+  return number.is_null() ? std::numeric_limits<double>::quiet_NaN() : number.get<double>();
+}
+
+Json record_of(const FoundFault& found) {
+  Json alike = Json::array();
+  for (const Fault* fault : found.alike) alike.push_back(fault->id);
+  return {
+      {"id", found.fault->id}, {"confidence", found.confidence}, {"pixels", found.pixels}, {"alike", alike}};
+}
+
+FoundFault found_of(const Json& json) {
+  FoundFault found{fault_of(json.at("id")), real_of(json.at("confidence")), json.at("pixels"), {}};
+  for (const Json& id : json.at("alike")) found.alike.push_back(fault_of(id));
+  return found;
+}
+
+Json record_of(const OutputEncoding& encoding) {
+  return {{"tone_map", encoding.tone_map},
+          {"curve", static_cast<int>(encoding.curve)},
+          {"rounds", encoding.rounds},
+          {"is_float", encoding.is_float},
+          {"has_equal_parts", encoding.has_equal_parts},
+          {"has_upper_bits", encoding.has_upper_bits},
+          {"reduced", static_cast<int>(encoding.reduced)},
+          {"levels", encoding.levels},
+          {"lost", encoding.lost},
+          {"shares_exponent", encoding.shares_exponent}};
+}
+
+OutputEncoding encoding_of(const Json& json) {
+  OutputEncoding encoding;
+  encoding.tone_map = json.at("tone_map");
+  encoding.curve = static_cast<Curve>(json.at("curve").get<int>());
+  encoding.rounds = json.at("rounds");
+  encoding.is_float = json.at("is_float");
+  encoding.has_equal_parts = json.at("has_equal_parts");
+  encoding.has_upper_bits = json.at("has_upper_bits").get<std::array<bool, 3>>();
+  encoding.reduced = static_cast<Reduced>(json.at("reduced").get<int>());
+  encoding.levels = json.at("levels").get<std::array<int, 3>>();
+  encoding.lost = json.at("lost");
+  encoding.shares_exponent = json.at("shares_exponent");
+  return encoding;
+}
+
+Json record_of(const ShapeSeen& shape) { return {shape.name, shape.pixels}; }
+
+Json record_of(const Diagnosis& diagnosis) {
+  Json faults = Json::array();
+  for (const FoundFault& found : diagnosis.faults) faults.push_back(record_of(found));
+  Json shapes = Json::array();
+  for (const ShapeSeen& shape : diagnosis.shapes) shapes.push_back(record_of(shape));
+  return {{"verdict", static_cast<int>(diagnosis.verdict)},
+          {"faults", faults},
+          {"encoding", record_of(diagnosis.encoding)},
+          {"is_flipped", diagnosis.is_flipped},
+          {"rms", diagnosis.rms},
+          {"pixels_over", diagnosis.pixels_over},
+          {"pixels", diagnosis.pixels},
+          {"non_finite", diagnosis.non_finite},
+          {"edges", diagnosis.edges},
+          {"unexplained_pixels", diagnosis.unexplained_pixels},
+          {"explained", diagnosis.explained},
+          {"is_of_one_colour", diagnosis.is_of_one_colour},
+          {"shapes", shapes}};
+}
+
+Diagnosis diagnosis_of(const Json& json) {
+  Diagnosis diagnosis;
+  diagnosis.verdict = static_cast<PictureVerdict>(json.at("verdict").get<int>());
+  for (const Json& found : json.at("faults")) diagnosis.faults.push_back(found_of(found));
+  diagnosis.encoding = encoding_of(json.at("encoding"));
+  diagnosis.is_flipped = json.at("is_flipped");
+  diagnosis.rms = real_of(json.at("rms"));
+  diagnosis.pixels_over = json.at("pixels_over");
+  diagnosis.pixels = json.at("pixels");
+  diagnosis.non_finite = json.at("non_finite");
+  diagnosis.edges = json.at("edges");
+  diagnosis.unexplained_pixels = json.at("unexplained_pixels");
+  diagnosis.explained = real_of(json.at("explained"));
+  diagnosis.is_of_one_colour = json.at("is_of_one_colour");
+  for (const Json& shape : json.at("shapes"))
+    diagnosis.shapes.push_back({shape.at(0).get<std::string>(), shape.at(1).get<std::size_t>()});
+  return diagnosis;
+}
+
+}  // namespace
+
+Json record_of(const JudgedPicture& picture) {
+  Json record{{"submission", picture.submission},
+              {"scene", picture.scene},
+              {"verdict", to_string(picture.verdict)},
+              {"message", picture.message},
+              {"printed", picture.printed},
+              {"wall_seconds", picture.wall_seconds}};
+  if (picture.diagnosis) record["diagnosis"] = record_of(*picture.diagnosis);
+  return record;
+}
+
+JudgedPicture picture_of_record(const Json& record) {
+  JudgedPicture picture;
+  picture.submission = record.at("submission");
+  picture.scene = record.at("scene");
+  picture.verdict = verdict_named(record.at("verdict").get<std::string>());
+  picture.message = record.at("message");
+  picture.printed = record.at("printed");
+  picture.wall_seconds = real_of(record.at("wall_seconds"));
+  if (record.contains("diagnosis")) picture.diagnosis = diagnosis_of(record["diagnosis"]);
+  return picture;
+}
+
+}  // namespace plumb::references

@@ -1,0 +1,15 @@
+// One result as JSON that holds all of it, for the journal; reports have JSON of their own.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "references/submissions/grade.hpp"
+
+namespace plumb::references {
+
+nlohmann::ordered_json record_of(const JudgedPicture& picture);
+
+/// Throws std::exception when the record is another version's.
+JudgedPicture picture_of_record(const nlohmann::ordered_json& record);
+
+}  // namespace plumb::references

@@ -1,0 +1,25 @@
+// How bubblewrap is told what a confined program sees.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "references/submissions/sandbox/sandbox.hpp"
+
+namespace plumb::references {
+
+/// Descriptors that bubblewrap inherits: it tells how it goes, waits to be released, reads the filter.
+inline constexpr int status_descriptor = 3;
+inline constexpr int release_descriptor = 4;
+inline constexpr int filter_descriptor = 5;
+
+/// Exists once the sandbox is set up. It lies in /dev, where nobody but root makes anything outside.
+inline constexpr const char* sign_of_setup = "/dev/plumb-sandbox";
+
+/// The whole command line, `bwrap` first. `user` is who root's programs become; 0: they stay who we are.
+/// Throws std::runtime_error as places_of does.
+std::vector<std::string> sandbox_arguments(const std::string& bwrap, const std::vector<std::string>& command,
+                                           const SandboxView& view, const SandboxLimits& limits,
+                                           unsigned user);
+
+}  // namespace plumb::references

@@ -1,0 +1,30 @@
+// What a confined program sees of this machine: named places, in place of all but a list.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "references/submissions/sandbox/sandbox.hpp"
+
+namespace plumb::references {
+
+enum class PlaceKind {
+  shown,   ///< as it is here, to be read
+  hidden,  ///< an empty directory or an empty file
+  link,    ///< a symbolic link
+  way,     ///< a directory that leads to others
+  own      ///< the sandbox makes one of its own: /dev, /proc, /tmp
+};
+
+struct Place {
+  std::string path;  ///< absolute, without links, without a slash at its end
+  PlaceKind kind;
+  std::string target;  ///< of a link
+};
+
+/// A directory comes before what lies in it, and the deeper of two places counts. What changes nothing is
+/// left out, so that nothing is mounted over what is already right. Paths that do not exist are left out,
+/// too. Throws std::runtime_error when a readable path is the sandbox's own directory.
+std::vector<Place> places_of(const SandboxView& view);
+
+}  // namespace plumb::references

@@ -1,0 +1,29 @@
+// A scene's text with other numbers and names, in the same words, order and dialect.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tracer/scene/scene.hpp"
+
+namespace plumb::references {
+
+/// How much is varied.
+struct Variation {
+  std::function<double()> random;             ///< -1 to 1, evenly
+  double places = 1;                          ///< by how much positions and sizes vary; 0: not at all
+  double colours = 1;                         ///< likewise
+  std::array<std::size_t, 3> order{0, 1, 2};  ///< which channel of a colour becomes red, green and blue
+};
+
+/// Positions, radii, corners, field of view and colours vary; a number that is 0 stays, as do exponents,
+/// indices of refraction, scales, angles and sizes of pictures, which scenes are about. Materials, lights,
+/// cameras, spheres and boxes get new names; composites keep theirs, for some tracers look for one of them.
+/// Comments go, since they may name the scene. `scene` is what the text was read as.
+std::string varied_text(std::string_view text, const Scene& scene, const Variation& variation);
+
+}  // namespace plumb::references

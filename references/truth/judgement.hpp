@@ -1,0 +1,62 @@
+// Who is wrong where two pictures differ, as the oracle sees it.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "references/attribution/attribution.hpp"
+#include "references/truth/oracle.hpp"
+
+namespace plumb::references {
+
+/// Of a pixel that is over the tolerance. A side is wrong when no answer that the scene leaves open (see
+/// Oracle) is within the tolerance of its value, or when that is not finite.
+enum class Verdict {
+  ours_wrong,
+  reference_wrong,
+  both_wrong,
+  undecided,  ///< neither is wrong: both are answers, or the true one lies between them
+};
+
+/// As it stands in JSON, e.g. "ours_wrong".
+const char* to_string(Verdict verdict);
+
+struct JudgedPixel {
+  int x;
+  int y;
+  Verdict verdict;
+  Colour ours;
+  Colour reference;
+  Rgbd oracle;  ///< of the scene as it is written
+};
+
+struct Judgement {
+  std::vector<JudgedPixel> pixels;  ///< row by row
+  std::size_t not_judged = 0;       ///< over, but the work was done, or they have more rays than are traced
+  bool ran_out = false;             ///< of work
+
+  std::size_t count(Verdict verdict) const;
+  /// What a reader must know: that our side is wrong somewhere, or that pixels were not judged; else empty.
+  std::string note() const;
+};
+
+/// Spent at most on one scene, in units of Work; 5 to 10 s on a machine of 2023.
+inline constexpr double most_work_of_judgement = 1e9;
+
+/// So that no two outputs contradict each other: a pixel at which our side is wrong is no matter of chance,
+/// whatever proof the budget has, and becomes unexplained; an unexplained one that is undecided becomes
+/// undecided there, too.
+void reconcile(const Judgement& judgement, Budget& budget);
+
+/// Where no cause was found for a few pixels, at most as many as may be unverified: those at which the scene
+/// has answers (see Oracle) that are farther apart than the tolerance, and both values are among them, become
+/// undecided. Against a baseline that is no excuse.
+void settle_undecided(const AttributionJob& job, Budget& budget);
+
+/// Judges every pixel over the tolerance, row by row, until the work is done. `job.work` and what the job
+/// says of the reference's precision are not used: a value that was rounded or clamped is wrong like any
+/// other.
+Judgement judge_pixels(const AttributionJob& job, double most_work = most_work_of_judgement);
+
+}  // namespace plumb::references

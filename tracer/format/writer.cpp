@@ -1,0 +1,83 @@
+#include "tracer/format/writer.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "tracer/text/numbers.hpp"
+
+namespace plumb {
+namespace {
+
+std::string triple(const Vec3d& v) { return to_text(v.x) + " " + to_text(v.y) + " " + to_text(v.z); }
+
+/// What a keyword that is not written reads back as, to the bit.
+bool is_plus_zero(const Rgbd& c) {
+  return c == Rgbd(0) && !std::signbit(c.x) && !std::signbit(c.y) && !std::signbit(c.z);
+}
+
+std::string write(const Material& material) {
+  std::string line = "define material " + material.name + " " + triple(material.ka) + " " +
+                     triple(material.kd) + " " + triple(material.ks) + " " + to_text(material.m);
+  if (!is_plus_zero(material.mirror)) line += " mirror " + triple(material.mirror);
+  if (!is_plus_zero(material.transmit)) line += " transmit " + triple(material.transmit);
+  if (material.eta != 1) line += " eta " + to_text(material.eta);
+  return line + "\n";
+}
+
+std::string write(const Scene& scene, const Shape& shape) {
+  const std::string define = "define shape ";
+  if (const auto* sphere = std::get_if<Sphere>(&shape.geometry)) {
+    return define + "sphere " + shape.name + " " + triple(sphere->center) + " " + to_text(sphere->radius) +
+           " " + scene.materials[sphere->material].name + "\n";
+  }
+  if (const auto* box = std::get_if<Box>(&shape.geometry)) {
+    return define + "box " + shape.name + " " + triple(box->min) + " " + triple(box->max) + " " +
+           scene.materials[box->material].name + "\n";
+  }
+  std::string line = define + "composite " + shape.name;
+  for (const ShapeId child : std::get<Composite>(shape.geometry).children)
+    line += " " + scene.shapes[child].name;
+  return line + "\n";
+}
+
+std::string write(const std::string& target, const std::vector<TransformStep>& steps) {
+  std::string lines;
+  for (const TransformStep& step : steps) {
+    lines += "transform " + target;
+    if (const auto* translate = std::get_if<Translate>(&step)) lines += " translate " + triple(translate->by);
+    if (const auto* rotate = std::get_if<Rotate>(&step)) {
+      lines += " rotate " + to_text(rotate->degrees) + " " + triple(rotate->axis);
+    }
+    if (const auto* scale = std::get_if<Scale>(&step)) lines += " scale " + triple(scale->by);
+    lines += "\n";
+  }
+  return lines;
+}
+
+std::string write(const Camera& camera) {
+  return "define camera " + camera.name + " " + to_text(camera.fov_x_degrees) + " " + triple(camera.eye) +
+         " " + triple(camera.direction) + " " + triple(camera.up) + "\n";
+}
+
+}  // namespace
+
+std::string write_scene(const Scene& scene) {
+  std::string text;
+  for (const Material& material : scene.materials) text += write(material);
+  for (const Shape& shape : scene.shapes) text += write(scene, shape);
+  for (const Shape& shape : scene.shapes) text += write(shape.name, shape.transform);
+  for (const Light& light : scene.lights) {
+    text += "define light " + light.name + " " + triple(light.position) + " " + triple(light.color) + " " +
+            to_text(light.brightness) + "\n";
+  }
+  text += "ambient " + triple(scene.ambient) + "\nbackground " + triple(scene.background) + "\n";
+  for (const Camera& camera : scene.cameras) text += write(camera) + write(camera.name, camera.transform);
+  for (const RenderRequest& render : scene.renders) {
+    text += "render " + render.camera + " " + render.file + " " + std::to_string(render.width) + " " +
+            std::to_string(render.height) + "\n";
+  }
+  return text;
+}
+
+}  // namespace plumb

@@ -1,0 +1,18 @@
+// Words of messages: quoted as they are safe to print, and the one that was probably meant.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace plumb {
+
+/// The text for a message: quoted, at most 40 bytes, unprintable bytes as \xNN.
+std::string in_quotes(std::string_view text);
+
+/// The candidate nearest to `name` by edit distance, if one is near enough to be a slip.
+std::optional<std::string> nearest_name(std::string_view name,
+                                        const std::vector<std::string_view>& candidates);
+
+}  // namespace plumb
