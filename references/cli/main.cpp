@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "references/cli/commands.hpp"
+#include "references/cli/manual.hpp"
 #include "references/cli/options.hpp"
 #include "references/cli/own_inputs.hpp"
 #include "references/cli/slips.hpp"
@@ -25,7 +26,7 @@ int run(int argc, char** argv) {
   const std::vector<Command> commands{
       add_render(app), add_export(app),     add_verify(app),   add_compare(app), add_explain(app),
       add_lint(app),   add_references(app), add_regress(app),  add_needs(app),   add_stability(app),
-      add_chart(app),  add_faults(app),     add_diagnose(app), add_judge(app)};
+      add_chart(app),  add_faults(app),     add_diagnose(app), add_judge(app),   add_manual(app)};
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
