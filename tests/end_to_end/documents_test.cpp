@@ -1,9 +1,13 @@
 // Every command that the README shows is run as it stands there.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <regex>
+#include <set>
 #include <sstream>
 
+#include "references/faults/fault.hpp"
 #include "tests/support/end_to_end.hpp"
 
 namespace plumb::tests {
@@ -41,6 +45,30 @@ TEST(Readme, EveryCommandRuns) {
         references::run_process({"/bin/sh", "-c", command}, workplace.directory(), no_memory_limit);
     EXPECT_EQ(result.exit_code, 0) << command << "\n" << result.output;
   }
+  std::set<std::string> left;
+  for (const auto& entry : std::filesystem::directory_iterator(workplace.directory()))
+    left.insert(entry.path().filename().string());
+  for (const char* const known : {"tests", "references", "scripts", "build", ".cache"}) left.erase(known);
+  EXPECT_TRUE(left.empty()) << "the commands leave " << *left.begin() << " in the clone";
+}
+
+TEST(Readme, IsShort) {
+  const std::string readme = read_file(source_path("README.md"));
+  EXPECT_LE(std::count(readme.begin(), readme.end(), '\n'), 150);
+}
+
+/// What a document says of the catalogue's size is what it is.
+TEST(Documents, CountTheFaultsAsTheProgramDoes) {
+  const std::size_t size = references::fault_catalogue().size();
+  std::size_t said = 0;
+  for (const char* const name :
+       {"README.md", "RESULTS.md", "BENCHMARKS.md", "DESIGN.md", "CONTRIBUTING.md"}) {
+    const std::string text = read_file(source_path(name));
+    const std::regex counts("([0-9]+) (faults|mistakes)\\b");
+    for (std::sregex_iterator at(text.begin(), text.end(), counts), end; at != end; ++at, ++said)
+      EXPECT_EQ(at->str(1), std::to_string(size)) << name << ": " << at->str();
+  }
+  EXPECT_GT(said, 2U);
 }
 
 TEST(Readme, NamesTheTwoCommandsAndTheyAreThere) {
