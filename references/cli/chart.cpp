@@ -10,6 +10,7 @@
 #include "references/cli/report.hpp"
 #include "references/studies/chart/json.hpp"
 #include "references/studies/chart/plot.hpp"
+#include "references/system/json.hpp"
 
 namespace plumb::cli {
 namespace {
@@ -73,7 +74,7 @@ int run_chart(Options options) {
   if (!chart.instructions.empty())
     warn("INSTRUCTIONS ARE NOT COUNTED: " + chart.instructions + "; they are null in the JSON");
   const Json json = references::to_json(chart);
-  if (!files.empty()) references::plot_chart(json.dump(), files);
+  if (!files.empty()) references::plot_chart(references::json_text(json), files);
   if (!options.json.empty()) write_json(options.json, json);
   if (options.json == "-") return exit_agrees;
   for (const auto& scene : chart.scenes) {

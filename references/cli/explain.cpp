@@ -9,6 +9,7 @@
 #include "references/cli/report.hpp"
 #include "references/renderers/ours.hpp"
 #include "references/renderers/reference_source.hpp"
+#include "references/system/json.hpp"
 #include "tracer/format/reader.hpp"
 #include "tracer/system/files.hpp"
 
@@ -139,7 +140,7 @@ int run_explain(const Options& options) {
   const Json json = to_json(options, scene, view, tree, engine, reference);
   // Indented, 3,000 rays of depth 256 are hundreds of megabytes of blanks.
   const int indent = references::is_cut(tree) ? -1 : 2;
-  write_file(options.json, json.dump(indent, ' ', false, Json::error_handler_t::replace) + "\n");
+  write_file(options.json, references::json_text_of_any_bytes(json, indent) + "\n");
   return exit_agrees;
 }
 

@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "references/system/json.hpp"
+
 namespace plumb::cli {
 namespace {
 
@@ -80,14 +82,14 @@ std::string as_json(const RenderStatistics& s) {
     json["cpu_seconds"][name] = seconds.cpu;
   }
   if (s.chosen) json["error"] = chosen_json(*s.chosen);
-  if (!s.has_counts) return json.dump(2) + "\n";
+  if (!s.has_counts) return references::json_text(json, 2) + "\n";
   json["bytes"] = s.counts.bytes;
   json["objects"] = s.counts.objects;
   for (const auto& [kind, count] : rays_of(s.counts)) json["rays"][kind] = count;
   json["bundles"] = s.counts.bundles;
   json["nodes"] = s.counts.nodes;
   json["shape_tests"] = s.counts.shape_tests;
-  return json.dump(2) + "\n";
+  return references::json_text(json, 2) + "\n";
 }
 
 }  // namespace plumb::cli

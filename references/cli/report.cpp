@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "references/system/json.hpp"
 #include "tracer/system/files.hpp"
 
 namespace plumb::cli {
@@ -180,7 +181,7 @@ Json to_json(const references::VerifyReport& report) {
 }
 
 void write_json(const std::string& path, const Json& json) {
-  write_file(path, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  write_file(path, references::json_text_of_any_bytes(json, 2) + "\n");
 }
 
 std::size_t name_width(const std::vector<std::string>& scenes) {

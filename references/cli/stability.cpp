@@ -7,6 +7,7 @@
 #include "references/cli/progress.hpp"
 #include "references/renderers/cache.hpp"
 #include "references/studies/stability/atlas.hpp"
+#include "references/system/json.hpp"
 #include "tracer/system/files.hpp"
 
 namespace plumb::cli {
@@ -25,7 +26,8 @@ int run_stability(const Options& options) {
   const auto found = references::stability::stability(sweep);
   progress.clear();
   if (options.json != "-") std::fputs(references::stability::table_of(found).c_str(), stdout);
-  if (!options.json.empty()) write_file(options.json, references::stability::to_json(found).dump(1) + "\n");
+  if (!options.json.empty())
+    write_file(options.json, references::json_text(references::stability::to_json(found), 1) + "\n");
   if (options.report.empty()) return exit_agrees;
   std::filesystem::create_directories(options.report);
   write_file(options.report + "/stability.html", references::stability::page_of(found));

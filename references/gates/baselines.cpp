@@ -9,6 +9,7 @@
 #include "references/system/digest.hpp"
 #include "references/system/directory_lock.hpp"
 #include "references/system/held_signals.hpp"
+#include "references/system/json.hpp"
 #include "tracer/image/io.hpp"
 #include "tracer/system/files.hpp"
 
@@ -59,8 +60,8 @@ Baseline from_json(const Json& json) {
              json.value("renderer", "")};
   // No record leads out of the directory.
   if (!is_within(b.name) || scene != b.name + ".sdf" || json.at("image") != b.name + ".exr") {
-    throw std::runtime_error("found scene " + json.at("scene").dump() + " and image " +
-                             json.at("image").dump() + ", expected NAME.sdf and NAME.exr");
+    throw std::runtime_error("found scene " + json_text(json.at("scene")) + " and image " +
+                             json_text(json.at("image")) + ", expected NAME.sdf and NAME.exr");
   }
   return b;
 }
@@ -80,7 +81,7 @@ std::string text_of(const std::vector<Baseline>& entries, const std::string& dir
   Json all = Json::array();
   for (const Baseline& b : entries) all.push_back(to_json(b));
   try {
-    return all.dump(2) + "\n";
+    return json_text(all, 2) + "\n";
   } catch (const Json::type_error&) {
     throw std::runtime_error(directory + records_name +
                              ": not written: found a name or reason that is not UTF-8, which JSON needs");
@@ -93,7 +94,7 @@ Baselines::Baselines(std::string directory) : directory_(std::move(directory)) {
   const std::string path = directory_ + records_name;
   if (!fs::exists(path)) return;
   try {
-    const Json all = Json::parse(read_file(path));
+    const Json all = parse_ordered_json(read_file(path));
     if (!all.is_array()) throw std::runtime_error("expected a list of records");
     for (const Json& entry : all) {
       Baseline baseline = from_json(entry);

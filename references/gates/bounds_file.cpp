@@ -7,6 +7,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "references/system/json.hpp"
 #include "tracer/system/files.hpp"
 #include "tracer/text/words.hpp"
 
@@ -84,8 +85,7 @@ class BoundsFile::Reader {
 
   [[noreturn]] void fail(const std::string& key, const Json& found, const std::string& expected) const {
     throw std::runtime_error(where_ + (key.empty() ? "" : ": " + in_quotes(key)) + ": found " +
-                             found.dump(-1, ' ', false, Json::error_handler_t::replace) + ", expected " +
-                             expected);
+                             json_text_of_any_bytes(found) + ", expected " + expected);
   }
 
   double number(const std::string& key, const Json& value) const {
@@ -98,7 +98,7 @@ class BoundsFile::Reader {
     if (!value.is_number_unsigned() && !value.is_string())
       fail(key, value, "a number of pixels or a percentage of them, e.g. 12 or \"0.5%\"");
     return in_file([&] {
-      return parse_allow_over(value.is_string() ? value.get<std::string>() : value.dump(),
+      return parse_allow_over(value.is_string() ? value.get<std::string>() : json_text(value),
                               where_ + ": " + key);
     });
   }

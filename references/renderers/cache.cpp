@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "references/system/digest.hpp"
+#include "references/system/json.hpp"
 #include "tracer/system/files.hpp"
 
 namespace plumb::references {
@@ -67,7 +68,7 @@ std::string pack(const PovrayPicture& picture) {
                    {"cpu_seconds", picture.cpu_seconds},
                    {"precision", picture.precision},
                    {"warnings", picture.warnings}};
-  std::string rest = about.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+  std::string rest = json_text_of_any_bytes(about) + "\n";
   const std::size_t at = rest.size();
   rest.resize(at + picture.image.rgb.size() * sizeof(float));
   std::memcpy(rest.data() + at, picture.image.rgb.data(), picture.image.rgb.size() * sizeof(float));
@@ -82,7 +83,7 @@ std::optional<PovrayPicture> unpack(std::string_view bytes) {
   const std::string_view rest = bytes.substr(magic.size() + hash_length + 1);
   if (checksum(rest) != hash || bytes[magic.size() + hash_length] != '\n') return std::nullopt;
   const std::size_t line = rest.find('\n');
-  const Json about = Json::parse(rest.substr(0, line));
+  const Json about = parse_json(rest.substr(0, line));
   PovrayPicture picture;
   picture.image = Image(about.at("width"), about.at("height"));
   picture.cpu_seconds = about.at("cpu_seconds");

@@ -10,6 +10,7 @@
 #include "references/system/digest.hpp"
 #include "references/system/directory_lock.hpp"
 #include "references/system/held_signals.hpp"
+#include "references/system/json.hpp"
 #include "tracer/image/io.hpp"
 #include "tracer/system/files.hpp"
 #include "tracer/system/installation.hpp"
@@ -50,7 +51,8 @@ StoredReferences::StoredReferences(std::string directory) : directory_(std::move
   std::ifstream file(directory_ + provenance_name);
   if (!file) return;
   try {
-    for (const Json& entry : Json::parse(file)) entries_.push_back(from_json(entry));
+    for (const Json& entry : parse_ordered_json(read_file(directory_ + provenance_name)))
+      entries_.push_back(from_json(entry));
   } catch (const Json::exception& error) {
     throw std::runtime_error(directory_ + provenance_name + ": is damaged: " + error.what());
   }
@@ -94,7 +96,7 @@ void StoredReferences::store(StoredReference entry, const Image& image) {
   std::sort(entries_.begin(), entries_.end(), [](const auto& a, const auto& b) { return a.scene < b.scene; });
   Json all = Json::array();
   for (const StoredReference& e : entries_) all.push_back(to_json(e));
-  write_file(directory_ + provenance_name, all.dump(2) + "\n");
+  write_file(directory_ + provenance_name, json_text(all, 2) + "\n");
 }
 
 }  // namespace plumb::references

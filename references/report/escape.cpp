@@ -1,5 +1,7 @@
 #include "references/report/escape.hpp"
 
+#include "references/system/json.hpp"
+
 namespace plumb::references {
 namespace {
 
@@ -23,7 +25,7 @@ std::string html_escaped(std::string_view text) {
 
 std::string script_json(const nlohmann::ordered_json& json) {
   // Outside strings JSON has none of these, so that escapes of strings are right everywhere.
-  std::string text = json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  std::string text = json_text_of_any_bytes(json);
   std::string escaped;
   escaped.reserve(text.size());
   for (const char c : text) {

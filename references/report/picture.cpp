@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "references/comparison/comparison.hpp"
+#include "references/system/json.hpp"
 
 namespace plumb::references {
 namespace {
@@ -81,7 +82,7 @@ void append_notes(std::string& bytes, const ReportEntry& entry) {
     bytes[start + pixel] = place_of(causes, note.cause);
     if (!note.text.empty()) texts[std::to_string(pixel)] = note.text;
   }
-  bytes += texts.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  bytes += json_text_of_any_bytes(texts);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "references/submissions/record.hpp"
+#include "references/system/json.hpp"
 
 namespace plumb::references {
 namespace {
@@ -96,7 +97,7 @@ std::optional<JudgedPicture> Journal::find(const std::string& key) const {
   const auto line = lines_.find(key);
   if (line == lines_.end()) return std::nullopt;
   try {
-    JudgedPicture picture = picture_of_record(Json::parse(line_at(line->second)).at("picture"));
+    JudgedPicture picture = picture_of_record(parse_ordered_json(line_at(line->second)).at("picture"));
     picture.kept = line->second;
     return picture;
   } catch (const std::exception&) {
@@ -107,7 +108,7 @@ std::optional<JudgedPicture> Journal::find(const std::string& key) const {
 void Journal::keep(const std::string& key, JudgedPicture& picture, const std::string& figures) {
   Json json{{"key", key}, {"picture", record_of(picture)}};
   if (!figures.empty()) json["figures"] = figures;
-  const std::string line = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  const std::string line = json_text_of_any_bytes(json);
   const std::scoped_lock lock(mutex_);
   const KeptLine kept{size_, line.size()};
   append(line + "\n");
@@ -117,7 +118,7 @@ void Journal::keep(const std::string& key, JudgedPicture& picture, const std::st
 std::string Journal::figures_of(const JudgedPicture& picture) const {
   if (picture.kept.size == 0) return {};
   const std::scoped_lock lock(mutex_);
-  return Json::parse(line_at(picture.kept)).value("figures", std::string());
+  return parse_ordered_json(line_at(picture.kept)).value("figures", std::string());
 }
 
 void Journal::remove() {

@@ -1,18 +1,11 @@
 #include "references/submissions/shown_text.hpp"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
+
+#include "references/system/json.hpp"
 
 namespace plumb::references {
-namespace {
-
-using Json = nlohmann::json;
-
-}  // namespace
-
-std::string shown_text(const std::string& bytes) {
-  return Json::parse(Json(bytes).dump(-1, ' ', false, Json::error_handler_t::replace)).get<std::string>();
-}
+std::string shown_text(const std::string& bytes) { return valid_utf8(bytes); }
 
 std::string shown_name(const std::string& bytes) {
   if (shown_text(bytes) == bytes) return bytes;

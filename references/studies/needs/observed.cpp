@@ -121,8 +121,7 @@ Notes noted(const Scene& scene, const World& world, const Camera& camera, const 
             const SpreadPixels& order, std::size_t begin, std::size_t end, double& rays) {
   Notes notes{scene, {}, empty_for(scene)};
   const DielectricsAroundEye<double> around = world.dielectrics_around(pose_of<double>(camera));
-  for (const EnclosingDielectric& d : around.ahead())
-    notes.around_the_eye.push_back(d.instance);
+  for (const EnclosingDielectric& d : around.ahead()) notes.around_the_eye.push_back(d.instance);
   const textbook::Tracer<double, Formulas, Probe> tracer(world, camera, job.width, job.height, job.options,
                                                          Probe(notes));
   for (std::size_t i = begin; i < end; ++i) {

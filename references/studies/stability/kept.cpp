@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "references/system/digest.hpp"
+#include "references/system/json.hpp"
 #include "tracer/system/files.hpp"
 
 namespace plumb::references::stability {
@@ -30,7 +31,7 @@ bool Kept::find(const std::string& condition, const std::string& renderer, Row& 
   std::error_code error;
   if (directory_.empty() || !std::filesystem::is_regular_file(file, error)) return false;
   try {
-    const Json json = Json::parse(read_file(file));
+    const Json json = parse_ordered_json(read_file(file));
     const Json& b = json.at("breaks");
     const Breaks breaks{number(b.at("missed")), number(b.at("ulp16")), number(b.at("e6")),
                         number(b.at("percent")), number(b.at("self_shadow"))};
@@ -49,7 +50,7 @@ void Kept::keep(const std::string& condition, const std::string& renderer, const
   std::filesystem::create_directories(directory_, error);
   if (error) return;
   const Json all = to_json({{condition, {}, 0, {row}}});
-  write_file(path(condition, renderer, row), all["conditions"][0]["rows"][0].dump());
+  write_file(path(condition, renderer, row), json_text(all["conditions"][0]["rows"][0]));
 }
 
 std::string Kept::path(const std::string& condition, const std::string& renderer, const Row& row) const {

@@ -1,0 +1,25 @@
+// JSON to text and back. The library's parser and writer cost seconds in each file that compiles them: here
+// once.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace plumb::references {
+
+/// Of a whole text. Throws nlohmann::json::parse_error.
+nlohmann::ordered_json parse_ordered_json(const std::string& text);
+nlohmann::json parse_json(const std::string& text);
+
+/// On one line, or indented. Throws nlohmann::json::type_error where a string is not UTF-8.
+std::string json_text(const nlohmann::ordered_json& json, int indent = -1);
+std::string json_text(const nlohmann::json& json, int indent = -1);
+
+/// The same, with U+FFFD for what is not UTF-8.
+std::string json_text_of_any_bytes(const nlohmann::ordered_json& json, int indent = -1);
+std::string json_text_of_any_bytes(const nlohmann::json& json, int indent = -1);
+
+/// The text with U+FFFD for what is not UTF-8.
+std::string valid_utf8(const std::string& text);
+
+}  // namespace plumb::references
