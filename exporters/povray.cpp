@@ -9,6 +9,7 @@
 #include "exporters/povray_material.hpp"
 #include "exporters/ties.hpp"
 #include "tracer/scene/dielectrics.hpp"
+#include "tracer/scene/each_kind.hpp"
 #include "tracer/scene/hierarchy.hpp"
 #include "tracer/text/numbers.hpp"
 
@@ -28,11 +29,15 @@ struct Bounds {
 };
 
 Bounds object_bounds(const Shape& shape) {
-  if (const auto* sphere = std::get_if<Sphere>(&shape.geometry)) {
-    return {sphere->center - Vec3d(sphere->radius), sphere->center + Vec3d(sphere->radius)};
-  }
-  const Box& box = std::get<Box>(shape.geometry);
-  return {box.min, box.max};
+  return std::visit(
+      EachKind{[](const Sphere& sphere) {
+                 return Bounds{sphere.center - Vec3d(sphere.radius), sphere.center + Vec3d(sphere.radius)};
+               },
+               [](const Box& box) {
+                 return Bounds{box.min, box.max};
+               },
+               [](const Composite&) { return Bounds{}; }},
+      shape.geometry);
 }
 
 Bounds world_bounds(const Bounds& object, const Mat4<double>& matrix) {
@@ -176,14 +181,19 @@ class Exporter {
     return text + to_text(moved.x) + "," + to_text(moved.y) + "," + to_text(moved.z) + ">";
   }
 
+  /// A composite is declared of its own (see declare).
   template <class Geometry>
   std::string primitive(const Geometry& geometry, const std::string& rest, double shrunk) const {
     const double s = space_.scale * shrunk;
-    if (const auto* sphere = std::get_if<Sphere>(&geometry)) {
-      return "sphere { " + sdl(s * sphere->center) + ", " + to_text(s * sphere->radius) + rest + " }";
-    }
-    const Box& box = std::get<Box>(geometry);
-    return "box { " + sdl(s * box.min) + ", " + sdl(s * box.max) + rest + " }";
+    return std::visit(EachKind{[&](const Sphere& sphere) {
+                                 return "sphere { " + sdl(s * sphere.center) + ", " +
+                                        to_text(s * sphere.radius) + rest + " }";
+                               },
+                               [&](const Box& box) {
+                                 return "box { " + sdl(s * box.min) + ", " + sdl(s * box.max) + rest + " }";
+                               },
+                               [](const Composite&) { return std::string(); }},
+                      geometry);
   }
 
   /// A sphere or box, and beside it its black shadow caster where glass must cast a full shadow.

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "tracer/scene/each_kind.hpp"
 #include "tracer/scene/hierarchy.hpp"
 
 namespace plumb::exporters {
@@ -293,11 +294,12 @@ class Ties {
 std::vector<PlacedShape> placed_shapes(const Scene& scene) {
   std::vector<PlacedShape> shapes;
   for_each_instance(scene, [&](const Instance& instance) {
-    const auto& geometry = scene.shapes[instance.shape].geometry;
-    if (const auto* sphere = std::get_if<Sphere>(&geometry))
-      shapes.push_back({instance.shape, *sphere, instance.world_from_object});
-    if (const auto* box = std::get_if<Box>(&geometry))
-      shapes.push_back({instance.shape, *box, instance.world_from_object});
+    const auto add = [&](const auto& geometry) {
+      shapes.push_back({instance.shape, geometry, instance.world_from_object});
+    };
+    std::visit(EachKind{[&](const Sphere& sphere) { add(sphere); }, [&](const Box& box) { add(box); },
+                        [](const Composite&) {}},
+               scene.shapes[instance.shape].geometry);
   });
   return shapes;
 }

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "exporters/povray.hpp"
+#include "tracer/scene/each_kind.hpp"
 #include "tracer/scene/hierarchy.hpp"
 
 namespace plumb::references {
@@ -47,21 +48,26 @@ bool is_nearer_or_by_chance(double t, double nearest, double) {
 /// Moves every face of a box, and the surface of a sphere, by `step` one way or the other.
 void move_surface(Shape& shape, double step, std::mt19937& random) {
   const auto either = [&] { return (random() & 1U) != 0 ? step : -step; };
-  if (auto* sphere = std::get_if<Sphere>(&shape.geometry)) {
-    sphere->radius = std::max(sphere->radius + either(), sphere->radius / 2);
-    sphere->center += Vec3d(either(), either(), either());
-  } else if (auto* box = std::get_if<Box>(&shape.geometry)) {
-    box->min += Vec3d(either(), either(), either());
-    box->max = glm::max(box->min, box->max + Vec3d(either(), either(), either()));
-  }
+  std::visit(EachKind{[&](Sphere& sphere) {
+                        sphere.radius = std::max(sphere.radius + either(), sphere.radius / 2);
+                        sphere.center += Vec3d(either(), either(), either());
+                      },
+                      [&](Box& box) {
+                        box.min += Vec3d(either(), either(), either());
+                        box.max = glm::max(box.min, box.max + Vec3d(either(), either(), either()));
+                      },
+                      [](Composite&) {}},
+             shape.geometry);
 }
 
 double size_of(const Shape& shape) {
-  if (const auto* sphere = std::get_if<Sphere>(&shape.geometry)) return sphere->radius;
-  const auto* box = std::get_if<Box>(&shape.geometry);
-  if (box == nullptr) return 0;
-  const Vec3d edges = box->max - box->min;
-  return std::max({edges.x, edges.y, edges.z});
+  return std::visit(EachKind{[](const Sphere& sphere) { return sphere.radius; },
+                             [](const Box& box) {
+                               const Vec3d edges = box.max - box.min;
+                               return std::max({edges.x, edges.y, edges.z});
+                             },
+                             [](const Composite&) { return 0.0; }},
+                    shape.geometry);
 }
 
 /// How much the instances of each shape enlarge it at most.

@@ -9,6 +9,7 @@
 
 #include "references/attribution/perturbation.hpp"
 #include "references/renderers/ours.hpp"
+#include "tracer/scene/each_kind.hpp"
 #include "tracer/scene/hierarchy.hpp"
 
 namespace plumb::references {
@@ -139,10 +140,13 @@ FloatMoves::FloatMoves(const Scene& scene, const Camera& camera)
   std::vector<Vec3d> places{eye};
   for (const Light& light : scene_.lights) places.push_back(light.position);
   for_each_instance(scene_, [&](const Instance& instance) {
-    const auto& geometry = scene_.shapes[instance.shape].geometry;
-    const auto* sphere = std::get_if<Sphere>(&geometry);
-    const Vec3d step = sphere != nullptr ? Vec3d(step_of(*sphere, instance.world_from_object.matrix, eye))
-                                         : coordinates_of_rays(instance.world_from_object.inverse, places);
+    const Vec3d step = std::visit(
+        EachKind{[&](const Sphere& sphere) {
+                   return Vec3d(step_of(sphere, instance.world_from_object.matrix, eye));
+                 },
+                 [&](const Box&) { return coordinates_of_rays(instance.world_from_object.inverse, places); },
+                 [](const Composite&) { return Vec3d(0); }},
+        scene_.shapes[instance.shape].geometry);
     steps_[instance.shape] = glm::max(steps_[instance.shape], step);
   });
 }
@@ -151,10 +155,10 @@ Scene FloatMoves::moved(int number) const {
   Scene moved = scene_;
   if (number == 0) return moved;
   for (ShapeId id = 0; id < moved.shapes.size(); ++id) {
-    if (auto* sphere = std::get_if<Sphere>(&moved.shapes[id].geometry))
-      move(*sphere, steps_[id], number, part_of_step(number));
-    else if (auto* box = std::get_if<Box>(&moved.shapes[id].geometry))
-      move(*box, steps_[id], number, part_of_step(number));
+    std::visit(
+        EachKind{[&](Sphere& sphere) { move(sphere, steps_[id], number, part_of_step(number)); },
+                 [&](Box& box) { move(box, steps_[id], number, part_of_step(number)); }, [](Composite&) {}},
+        moved.shapes[id].geometry);
   }
   return moved;
 }

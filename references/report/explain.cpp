@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "references/comparison/comparison.hpp"
+#include "tracer/scene/each_kind.hpp"
 #include "tracer/scene/hierarchy.hpp"
 #include "tracer/text/words.hpp"
 
@@ -46,7 +47,11 @@ class Terms {
 
   const Shape& shape() const { return shape_; }
   const Material& material() const { return material_; }
-  const char* slide() const { return std::holds_alternative<Box>(shape_.geometry) ? "Quader" : "Kugel"; }
+  const char* slide() const {
+    return std::visit(EachKind{[](const Sphere&) { return "Kugel"; }, [](const Box&) { return "Quader"; },
+                               [](const Composite&) { return "Composite, DAG"; }},
+                      shape_.geometry);
+  }
   Rgbd ambient() const { return scene_.ambient * material_.ka; }
   Rgbd diffuse(std::size_t i) const {
     const LightSeen<double>& seen = meeting_.lights[i];

@@ -7,6 +7,7 @@
 
 #include "tracer/engine/bounds.hpp"
 #include "tracer/engine/hierarchy_builder.hpp"
+#include "tracer/scene/each_kind.hpp"
 #include "tracer/scene/hierarchy.hpp"
 
 namespace plumb::engine {
@@ -99,17 +100,20 @@ class Compiler {
     const bool is_identity = parent_is_identity && shape.transform.empty();
     const Placement here =
         shape.transform.empty() ? parent : formulas::compose(parent, transform_of<double>(shape.transform));
-    if (const auto* sphere = std::get_if<plumb::Sphere>(&shape.geometry)) {
-      add_sphere(*sphere, here, is_identity, next++, contents);
-    } else if (const auto* box = std::get_if<plumb::Box>(&shape.geometry)) {
-      add_box(*box, here, is_identity, next++, contents);
-    } else if (is_shared(id)) {
-      add_member(id, here, next, contents);
-      next += counts_[id];
-    } else {
-      for (const ShapeId child : std::get<Composite>(shape.geometry).children)
-        visit(child, here, is_identity, next, contents);
-    }
+    std::visit(EachKind{[&](const plumb::Sphere& sphere) {
+                          add_sphere(sphere, here, is_identity, next++, contents);
+                        },
+                        [&](const plumb::Box& box) { add_box(box, here, is_identity, next++, contents); },
+                        [&](const Composite& composite) {
+                          if (is_shared(id)) {
+                            add_member(id, here, next, contents);
+                            next += counts_[id];
+                          } else {
+                            for (const ShapeId child : composite.children)
+                              visit(child, here, is_identity, next, contents);
+                          }
+                        }},
+               shape.geometry);
   }
 
   /// Materials come in the order in which they are first used; those of no shape are left out.

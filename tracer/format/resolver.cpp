@@ -3,6 +3,7 @@
 
 #include "tracer/format/check_hierarchy.hpp"
 #include "tracer/format/draft.hpp"
+#include "tracer/scene/each_kind.hpp"
 #include "tracer/scene/lights_on_surfaces.hpp"
 #include "tracer/text/numbers.hpp"
 #include "tracer/text/words.hpp"
@@ -45,8 +46,9 @@ bool is_broken(const Draft& draft, std::string_view name) {
 }
 
 void set_material(Shape& shape, MaterialId material) {
-  if (auto* sphere = std::get_if<Sphere>(&shape.geometry)) sphere->material = material;
-  if (auto* box = std::get_if<Box>(&shape.geometry)) box->material = material;
+  std::visit(EachKind{[&](Sphere& sphere) { sphere.material = material; },
+                      [&](Box& box) { box.material = material; }, [](Composite&) {}},
+             shape.geometry);
 }
 
 void resolve_materials(Draft& draft) {

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "tracer/scene/each_kind.hpp"
 #include "tracer/text/numbers.hpp"
 
 namespace plumb {
@@ -27,18 +28,22 @@ std::string write(const Material& material) {
 
 std::string write(const Scene& scene, const Shape& shape) {
   const std::string define = "define shape ";
-  if (const auto* sphere = std::get_if<Sphere>(&shape.geometry)) {
-    return define + "sphere " + shape.name + " " + triple(sphere->center) + " " + to_text(sphere->radius) +
-           " " + scene.materials[sphere->material].name + "\n";
-  }
-  if (const auto* box = std::get_if<Box>(&shape.geometry)) {
-    return define + "box " + shape.name + " " + triple(box->min) + " " + triple(box->max) + " " +
-           scene.materials[box->material].name + "\n";
-  }
-  std::string line = define + "composite " + shape.name;
-  for (const ShapeId child : std::get<Composite>(shape.geometry).children)
-    line += " " + scene.shapes[child].name;
-  return line + "\n";
+  return std::visit(EachKind{[&](const Sphere& sphere) {
+                               return define + "sphere " + shape.name + " " + triple(sphere.center) + " " +
+                                      to_text(sphere.radius) + " " + scene.materials[sphere.material].name +
+                                      "\n";
+                             },
+                             [&](const Box& box) {
+                               return define + "box " + shape.name + " " + triple(box.min) + " " +
+                                      triple(box.max) + " " + scene.materials[box.material].name + "\n";
+                             },
+                             [&](const Composite& composite) {
+                               std::string line = define + "composite " + shape.name;
+                               for (const ShapeId child : composite.children)
+                                 line += " " + scene.shapes[child].name;
+                               return line + "\n";
+                             }},
+                    shape.geometry);
 }
 
 std::string write(const std::string& target, const std::vector<TransformStep>& steps) {

@@ -8,6 +8,7 @@
 
 #include "tracer/formulas/quad.hpp"
 #include "tracer/formulas/sphere.hpp"
+#include "tracer/scene/each_kind.hpp"
 #include "tracer/scene/hierarchy.hpp"
 
 namespace plumb {
@@ -124,16 +125,21 @@ class DielectricsAroundEye<Real>::Search {
 
   std::optional<Room> room_in_parent(const Shape& shape, ShapeId id) const {
     const Mat4<double> m = transform_of<double>(shape.transform).matrix;
-    if (const auto* sphere = std::get_if<Sphere>(&shape.geometry)) {
-      if (!is_glass(sphere->material)) return std::nullopt;
-      return Room{sphere->center - sphere->radius, sphere->center + sphere->radius}.moved(m);
-    }
-    if (const auto* box = std::get_if<Box>(&shape.geometry)) {
-      if (!is_glass(box->material)) return std::nullopt;
-      return Room{box->min, box->max}.moved(m);
-    }
-    const auto room = rooms_.find(id);
-    return room == rooms_.end() ? std::nullopt : std::optional(room->second.moved(m));
+    using MaybeRoom = std::optional<Room>;
+    const auto room = std::visit(
+        EachKind{[&](const Sphere& sphere) {
+                   const Room own{sphere.center - sphere.radius, sphere.center + sphere.radius};
+                   return is_glass(sphere.material) ? MaybeRoom(own) : std::nullopt;
+                 },
+                 [&](const Box& box) {
+                   return is_glass(box.material) ? MaybeRoom(Room{box.min, box.max}) : std::nullopt;
+                 },
+                 [&](const Composite&) {
+                   const auto known = rooms_.find(id);
+                   return known == rooms_.end() ? std::nullopt : MaybeRoom(known->second);
+                 }},
+        shape.geometry);
+    return room ? MaybeRoom(room->moved(m)) : std::nullopt;
   }
 
   void visit_all(const std::vector<ShapeId>& children, const Transform<Real>& parent, std::uint64_t instance,
@@ -155,16 +161,16 @@ class DielectricsAroundEye<Real>::Search {
     ray.t_min = walk.ray.t_min;
     ray.world_length = formulas::absolute_product(here.inverse, walk.ray.world_length);
     const Vec3d place(ray.origin);
-    if (material == nullptr) {
-      if (!room->second.excludes(place, margin(here.inverse, ray)))
-        visit_all(children_of(shape), here, instance, walk);
-    } else if (const auto* sphere = std::get_if<Sphere>(&shape.geometry)) {
-      look_at(*sphere, ray, place, margin(here.inverse, ray), {instance, scene_.materials[*material].eta},
-              walk);
-    } else {
-      look_at(std::get<Box>(shape.geometry), ray, place, margin(here.inverse, ray),
-              {instance, scene_.materials[*material].eta}, walk);
-    }
+    const double near = margin(here.inverse, ray);
+    const auto look = [&](const auto& geometry) {
+      look_at(geometry, ray, place, near, {instance, scene_.materials[*material].eta}, walk);
+    };
+    std::visit(EachKind{[&](const Sphere& sphere) { look(sphere); }, [&](const Box& box) { look(box); },
+                        [&](const Composite& composite) {
+                          if (!room->second.excludes(place, near))
+                            visit_all(composite.children, here, instance, walk);
+                        }},
+               shape.geometry);
   }
 
   template <class Geometry>

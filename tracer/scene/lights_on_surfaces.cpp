@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "tracer/scene/each_kind.hpp"
 #include "tracer/scene/hierarchy.hpp"
 
 namespace plumb {
@@ -46,13 +47,13 @@ class Search {
       const Vec3d here = shape.transform.empty() ? point
                                                  : formulas::transform_point(
                                                        transform_of<double>(shape.transform).inverse, point);
-      if (const auto* sphere = std::get_if<Sphere>(&shape.geometry)) {
-        if (is_on(*sphere, here)) return id;
-      } else if (const auto* box = std::get_if<Box>(&shape.geometry)) {
-        if (is_on(*box, here)) return id;
-      } else if (const auto found = among(children_of(shape), here)) {
-        return found;
-      }
+      const auto of_itself = [&](bool is_on_it) { return is_on_it ? std::optional(id) : std::nullopt; };
+      const auto found =
+          std::visit(EachKind{[&](const Sphere& sphere) { return of_itself(is_on(sphere, here)); },
+                              [&](const Box& box) { return of_itself(is_on(box, here)); },
+                              [&](const Composite& composite) { return among(composite.children, here); }},
+                     shape.geometry);
+      if (found) return found;
     }
     return std::nullopt;
   }

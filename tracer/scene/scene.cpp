@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "tracer/scene/each_kind.hpp"
 #include "tracer/text/words.hpp"
 
 namespace plumb {
@@ -30,9 +31,10 @@ const Camera& Scene::camera(const std::string& name) const {
 }
 
 const MaterialId* material_of(const Shape& shape) {
-  if (const auto* sphere = std::get_if<Sphere>(&shape.geometry)) return &sphere->material;
-  if (const auto* box = std::get_if<Box>(&shape.geometry)) return &box->material;
-  return nullptr;
+  return std::visit(EachKind{[](const Sphere& sphere) { return &sphere.material; },
+                             [](const Box& box) { return &box.material; },
+                             [](const Composite&) -> const MaterialId* { return nullptr; }},
+                    shape.geometry);
 }
 
 }  // namespace plumb

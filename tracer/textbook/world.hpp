@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tracer/scene/dielectrics.hpp"
+#include "tracer/scene/each_kind.hpp"
 #include "tracer/textbook/shape.hpp"
 
 namespace plumb::textbook {
@@ -90,17 +91,22 @@ class World {
     if (built[id]) return built[id];
     const plumb::Shape& shape = scene.shapes[id];
     const Transform<Real> placed = formulas_->transform_of(shape.transform);
-    if (const auto* sphere = std::get_if<plumb::Sphere>(&shape.geometry)) {
-      built[id] = std::make_shared<Sphere<Real, Formulas>>(placed, *sphere, materials_[sphere->material], id);
-    } else if (const auto* box = std::get_if<plumb::Box>(&shape.geometry)) {
-      built[id] = std::make_shared<Box<Real, Formulas>>(placed, *box, materials_[box->material], id);
-    } else {
-      Built children;
-      for (const ShapeId child : std::get<plumb::Composite>(shape.geometry).children) {
-        children.push_back(build(scene, child, built));
-      }
-      built[id] = std::make_shared<Composite<Real, Formulas>>(placed, std::move(children));
-    }
+    using Node = std::shared_ptr<const Shape<Real, Formulas>>;
+    built[id] = std::visit(
+        EachKind{[&](const plumb::Sphere& sphere) -> Node {
+                   return std::make_shared<Sphere<Real, Formulas>>(placed, sphere,
+                                                                   materials_[sphere.material], id);
+                 },
+                 [&](const plumb::Box& box) -> Node {
+                   return std::make_shared<Box<Real, Formulas>>(placed, box, materials_[box.material], id);
+                 },
+                 [&](const plumb::Composite& composite) -> Node {
+                   Built children;
+                   for (const ShapeId child : composite.children)
+                     children.push_back(build(scene, child, built));
+                   return std::make_shared<Composite<Real, Formulas>>(placed, std::move(children));
+                 }},
+        shape.geometry);
     return built[id];
   }
 
