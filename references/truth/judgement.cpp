@@ -73,7 +73,7 @@ class PixelJudge {
     if (!as_written) return std::nullopt;
     Trial trial{Rgbd(*as_written), {to_colour(*as_written), to_colour(*as_written)}, {}};
     weigh(p, trial);
-    for (int pattern = 0; pattern < Oracle::patterns + Oracle::rounded_patterns; ++pattern) {
+    for (int pattern = 0; pattern < oracle_.all_patterns(); ++pattern) {
       if (is_settled(trial)) break;
       if (pattern == Oracle::patterns && trial.answers.is_decided(job_.tolerance)) break;
       const auto moved = oracle_.colour_when_moved(p.x, p.y, pattern);

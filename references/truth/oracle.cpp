@@ -11,6 +11,7 @@
 #include "references/attribution/perturbation.hpp"
 #include "references/attribution/ray_tree.hpp"
 #include "references/comparison/comparison.hpp"
+#include "tracer/scene/dielectrics.hpp"
 
 namespace plumb::references {
 namespace {
@@ -141,6 +142,11 @@ struct RoundedFormulas {
   RoundedTable table;
 };
 
+bool eye_is_on_glass(const Scene& scene, const Camera& camera) {
+  const CameraPose<double> pose = pose_of<double>(camera);
+  return DielectricsAroundEye<double>(scene, pose.eye, pose.direction).is_on_surface();
+}
+
 double units_of_ray(const Scene& scene, textbook::InstanceId instances) {
   return units_of_quad * (units_of_shading + static_cast<double>(instances)) *
          static_cast<double>(1 + scene.lights.size());
@@ -232,6 +238,7 @@ Oracle::Oracle(const Scene& scene, const Camera& camera, int width, int height, 
       work_(work),
       as_written_(std::make_unique<ViewBy<textbook::LectureFormulas<Quad>>>(
           scene, camera, *this, textbook::LectureFormulas<Quad>{})),
+      rounds_(!eye_is_on_glass(scene, camera)),
       moved_(patterns + rounded_patterns) {}
 
 Oracle::~Oracle() = default;

@@ -77,6 +77,10 @@ class Oracle {
   /// anew; its world is made when it is first asked for.
   std::optional<Rgb<Quad>> colour_when_moved(int x, int y, int pattern) const;
 
+  /// How many patterns there are: without those that round anew where the eye lies on glass, for a ray that
+  /// passes by the glass whose inside it starts in is no answer.
+  int all_patterns() const { return patterns + (rounds_ ? rounded_patterns : 0); }
+
   /// The answers of the scene and of its 48 moves. Nothing as above, or when the work is over before the
   /// end.
   std::optional<Answers> answers(int x, int y) const;
@@ -95,6 +99,7 @@ class Oracle {
   RenderOptions options_;
   Work& work_;
   std::unique_ptr<View> as_written_;
+  bool rounds_;
   mutable std::vector<std::unique_ptr<View>> moved_;  // by pattern; null until it is asked for
 };
 

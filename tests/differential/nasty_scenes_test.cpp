@@ -175,6 +175,34 @@ TEST(EyeOnGlass, IsInsideForTheRaysThatGoIn) {
   }
 }
 
+/// What rounds is the glass, not the eye: it is at the origin.
+TEST(EyeOnGlass, IsOnePictureToBothTracersWhereTheGlassIsLarge) {
+  for (const char* scale : {"1.7", "49", "0.3"}) {
+    const std::string shapes = std::string("define shape sphere a 0 0 0 1 glass\ntransform a scale ") +
+                               scale + "\ndefine shape composite g a\ntransform g translate 0 -" + scale +
+                               " 0\n" + "define shape sphere far 0 0 -3 0.5 red\n";
+    const ReadResult read = read_scene(materials + shapes);
+    ASSERT_FALSE(read.has_errors());
+    EXPECT_EQ(pixels_apart(read.scene, job_of(read.scene, {})), 0U) << shapes;
+  }
+}
+
+/// The glass that it touches below changes nothing for the rays that go up.
+TEST(EyeOnGlass, LeavesTheOrderOfOtherGlassAsItIs) {
+  const std::string around = "define shape sphere b 2 0 0 4 glass\ndefine shape sphere c -2 0 0 4.5 thin\n";
+  const auto picture = [&](const std::string& shapes) {
+    const Scene scene = read_scene(materials + shapes).scene;
+    return textbook::render(scene, scene.cameras.front(), job_of(scene, {}));
+  };
+  const Image without = picture(around),
+              with = picture(around + "define shape sphere a 0 -0.01 0 0.01 glass\n");
+  for (int y = 0; y < without.height / 2; ++y)
+    for (int x = 0; x < without.width; ++x)
+      for (int c = 0; c < 3; ++c)
+        EXPECT_NEAR(with.pixel(x, y)[c], without.pixel(x, y)[c], 1e-9)
+            << x << " " << y;  // because nothing moved
+}
+
 /// PLUMB_NASTY_JUDGED says how many are compared with POV-Ray.
 TEST(NastyScenes, NoOutputContradictsAnother) {
   const Workplace workplace;

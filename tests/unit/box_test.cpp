@@ -352,6 +352,14 @@ TYPED_TEST(BoxFormula, AnEdgeThatARayStartsOnIsLeftThereHoweverItIsRounded) {
   }
 }
 
+TYPED_TEST(BoxFormula, ARayAlongTheFaceThatItStartsOnMeetsNothing) {
+  using Real = TypeParam;
+  for (const Real x : {Real(-1), Real(1)})
+    for (const Real off :
+         {Real(0), std::numeric_limits<Real>::epsilon(), -std::numeric_limits<Real>::epsilon()})
+      EXPECT_FALSE(this->hit({x, 0, 0}, {off, 1, 0}, x < 0 ? 0 : 1).has_value()) << x << " " << off;
+}
+
 TYPED_TEST(BoxFormula, AtAnEdgeTheFirstAxisCountsHoweverTheRayIsRounded) {
   using Real = TypeParam;
   // Toward the edges of x = -1 and y = -1, of y = -1 and z = 1, and out of the one of x = 1 and z = -1.

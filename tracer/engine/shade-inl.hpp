@@ -126,7 +126,7 @@ class Shader final : public TileRenderer<Real> {
     level.interior.fill(around_the_eye_);
     for (std::size_t i = 0; i < stream_size; i += lanes<Real>()) {
       store3<Real>(set3(view_.eye), level.rays.origin, i);
-      store_start(level.rays, i, set3(view_.eye), set(Real(0)));
+      store_start(level.rays, i, set3(view_.eye), set(view_.around_the_eye.t_min()));
     }
   }
 

@@ -124,12 +124,19 @@ struct Slab {
   M<Real> is_missed;
 };
 
+/// Up to here a component is 0 by formulas::is_parallel; of few_roundings as Grazing has them.
+template <class Real>
+constexpr Real parallel_slope(Real few_roundings) {
+  return few_roundings * (16 * std::numeric_limits<Real>::epsilon() / formulas::grazing_slope<Real>());
+}
+
 /// 1 / v, and infinity where a component is 0 by formulas::is_parallel.
 template <class Real>
 HWY_INLINE V3<Real> inverses(const V3<Real>& v, const Grazing<Real>& grazing) {
   const V<Real> one = set(Real(1)), infinite = set(std::numeric_limits<Real>::infinity());
-  constexpr Real share = 16 * std::numeric_limits<Real>::epsilon() / formulas::grazing_slope<Real>();
-  const V3<Real> least = set3(grazing.few_roundings * share);
+  const Vec3<Real>& few = grazing.few_roundings;
+  const V3<Real> least =
+      set3(Vec3<Real>(parallel_slope(few.x), parallel_slope(few.y), parallel_slope(few.z)));
   return {hn::IfThenElse(hn::Le(hn::Abs(v.x), least.x), infinite, hn::Div(one, v.x)),
           hn::IfThenElse(hn::Le(hn::Abs(v.y), least.y), infinite, hn::Div(one, v.y)),
           hn::IfThenElse(hn::Le(hn::Abs(v.z), least.z), infinite, hn::Div(one, v.z))};
@@ -197,13 +204,17 @@ template <class Real>
 HWY_INLINE M<Real> starts_on_face(const RayVector<Real>& ray, W<Real> face) {
   return hn::And(ray.own, hn::RebindMask(Tag<Real>(), hn::Eq(ray.own_face, face)));
 }
-/// The lanes that start on a face of the box and move away from it.
+/// The lanes that start on a face of the box and move away from it, or along it.
 template <class Real>
 HWY_INLINE M<Real> leaves_own_box(const RayVector<Real>& ray) {
-  const V3<Real>& d = ray.direction;
-  return hn::Or(hn::Or(starts_on_face(ray, face_of<Real>(d.x, 0, false)),
-                       starts_on_face(ray, face_of<Real>(d.y, 1, false))),
-                starts_on_face(ray, face_of<Real>(d.z, 2, false)));
+  const auto leaves = [&](V<Real> direction, Real few_roundings, unsigned axis) HWY_ATTR {
+    const M<Real> is_along = hn::Le(hn::Abs(direction), set(parallel_slope(few_roundings)));
+    return hn::Or(starts_on_face(ray, face_of<Real>(direction, axis, false)),
+                  hn::And(is_along, starts_on_face(ray, face_of<Real>(direction, axis, true))));
+  };
+  const Vec3<Real>& few = ray.grazing->few_roundings;
+  return hn::Or(hn::Or(leaves(ray.direction.x, few.x, 0), leaves(ray.direction.y, few.y, 1)),
+                leaves(ray.direction.z, few.z, 2));
 }
 
 /// The lanes that start on a face of the box and go in.

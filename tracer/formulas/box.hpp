@@ -80,6 +80,7 @@ std::optional<FaceHit<Real>> intersect_box(const Ray<Real>& ray, const Corners<R
   bool goes_in = false;
   for (int axis = 0; axis < 3; ++axis) {
     if (is_parallel(ray, axis)) {
+      if (start_face != no_face && start_face / 2 == axis) return std::nullopt;  // runs along it
       const Real o = ray.origin[axis];
       const Real beside = ray.t_min * ray.world_length[axis];
       if (o < box.min[axis] - beside || o > box.max[axis] + beside) return std::nullopt;

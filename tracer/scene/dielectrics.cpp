@@ -14,6 +14,8 @@
 namespace plumb {
 namespace {
 
+double largest(const Vec3d& v) { return std::max({v.x, v.y, v.z}); }
+
 /// Where the ray leaves the shape; no value where it enters it first, or misses.
 template <class Real>
 std::optional<Real> exit_distance(const Sphere& sphere, const Ray<Real>& ray) {
@@ -32,20 +34,22 @@ std::optional<Real> exit_distance(const Box& box, const Ray<Real>& ray) {
                                                                             : std::nullopt;
 }
 
-/// Whether a surface of the shape is within the margin, or may be.
+/// Of the numbers that it is made of.
+double size_of(const Sphere& sphere) { return largest(glm::abs(sphere.center)) + sphere.radius; }
+double size_of(const Box& box) { return largest(glm::max(glm::abs(box.min), glm::abs(box.max))); }
+
+/// Whether a surface of the shape is within the margin; true where that is no number.
 bool is_near_surface(const Sphere& sphere, const Vec3d& place, double margin) {
-  return std::abs(glm::length(place - sphere.center) - sphere.radius) <= margin;
+  return !(std::abs(glm::length(place - sphere.center) - sphere.radius) > margin);
 }
 bool is_near_surface(const Box& box, const Vec3d& place, double margin) {
   const Vec3d outside = glm::max(box.min - place, place - box.max);  // negative between two planes
-  return std::abs(std::max({outside.x, outside.y, outside.z})) <= margin;
+  return !(std::abs(std::max({outside.x, outside.y, outside.z})) > margin);
 }
 
 /// Far more than products of matrices round, so that no glass is passed by: all that costs is a look at more.
 template <class Real>
 constexpr double slack = std::max(1e-9, 4 * static_cast<double>(formulas::resolution<Real>()));
-
-double largest(const Vec3d& v) { return std::max({v.x, v.y, v.z}); }
 
 /// A box around the glass of a subtree, with room for rounding; empty at first.
 struct Room {
@@ -77,36 +81,38 @@ struct Room {
 template <class Real>
 class DielectricsAroundEye<Real>::Search {
  public:
-  Search(const Scene& scene, const Vec3<Real>& eye)
-      : scene_(scene), eye_(eye), counts_(count_instances(scene)) {
+  Search(const Scene& scene, const Vec3<Real>& eye, const Vec3<Real>& ahead)
+      : scene_(scene), ray_{eye, ahead}, counts_(count_instances(scene)) {
     for (const ShapeId id : order_of_composites(scene).children_first) add_room(id);
+    ray_.t_min = formulas::resolution<Real>() * static_cast<Real>(largest(glm::abs(Vec3d(eye))));
+    visit_all(scene_.roots(), Transform<Real>{}, 0);
+    // What the camera does not look into lies innermost: it is left first.
+    for (Glass& glass : glass_)
+      if (glass.is_near) glass.exit = exit_of(glass, ray_.direction).value_or(0);
+    std::stable_sort(glass_.begin(), glass_.end(),
+                     [](const Glass& a, const Glass& b) { return a.exit > b.exit; });
   }
 
-  struct Found {
-    std::vector<EnclosingDielectric> around;  ///< outermost first
-    bool is_on_surface = false;               ///< the eye, of some glass, as far as this real type can tell
-  };
+  bool is_on_surface() const {
+    return std::any_of(glass_.begin(), glass_.end(), [](const Glass& glass) { return glass.is_near; });
+  }
+  Real t_min() const { return ray_.t_min; }
 
-  Found along(const Vec3<Real>& direction) const {
-    Walk walk{{eye_, direction}, {}};
-    walk.ray.t_min = formulas::resolution<Real>() * static_cast<Real>(largest(glm::abs(Vec3d(eye_))));
-    visit_all(scene_.roots(), Transform<Real>{}, 0, walk);
-    std::stable_sort(walk.left.begin(), walk.left.end(),
-                     [](const Left& a, const Left& b) { return a.exit > b.exit; });
-    Found found{{}, walk.is_on_surface};
-    for (const Left& l : walk.left) found.around.push_back(l.dielectric);
-    return found;
+  std::vector<EnclosingDielectric> along(const Vec3<Real>& direction) const {
+    std::vector<EnclosingDielectric> around;
+    for (const Glass& glass : glass_)
+      if (!glass.is_near || exit_of(glass, direction)) around.push_back(glass.dielectric);
+    return around;
   }
 
  private:
-  struct Left {
-    Real exit;
+  /// What the eye is inside of, or as near to as rounding can tell.
+  struct Glass {
     EnclosingDielectric dielectric;
-  };
-  struct Walk {
-    Ray<Real> ray;
-    std::vector<Left> left;
-    bool is_on_surface = false;
+    Real exit;  ///< ahead of the camera
+    bool is_near;
+    const Shape* shape;
+    Transform<Real> world_from_object;
   };
 
   bool is_glass(MaterialId material) const { return scene_.materials[material].transmits(); }
@@ -142,57 +148,78 @@ class DielectricsAroundEye<Real>::Search {
     return room ? MaybeRoom(room->moved(m)) : std::nullopt;
   }
 
-  void visit_all(const std::vector<ShapeId>& children, const Transform<Real>& parent, std::uint64_t instance,
-                 Walk& walk) const {
+  void visit_all(const std::vector<ShapeId>& children, const Transform<Real>& parent,
+                 std::uint64_t instance) {
     for (const ShapeId id : children) {
-      visit(id, parent, instance, walk);
+      visit(id, parent, instance);
       instance += counts_[id];
     }
   }
 
-  void visit(ShapeId id, const Transform<Real>& parent, std::uint64_t instance, Walk& walk) const {
+  void visit(ShapeId id, const Transform<Real>& parent, std::uint64_t instance) {
     const Shape& shape = scene_.shapes[id];
     const MaterialId* material = material_of(shape);
     const auto room = rooms_.find(id);
     if (material == nullptr ? room == rooms_.end() : !is_glass(*material)) return;
     const Transform<Real> here =
         shape.transform.empty() ? parent : formulas::compose(parent, transform_of<Real>(shape.transform));
-    Ray<Real> ray = formulas::transform_ray(here.inverse, walk.ray);
-    ray.t_min = walk.ray.t_min;
-    ray.world_length = formulas::absolute_product(here.inverse, walk.ray.world_length);
-    const Vec3d place(ray.origin);
-    const double near = margin(here.inverse, ray);
+    const Vec3d place(ray_in(here, ray_.direction).origin);
     const auto look = [&](const auto& geometry) {
-      look_at(geometry, ray, place, near, {instance, scene_.materials[*material].eta}, walk);
+      add(geometry, place, {{instance, scene_.materials[*material].eta}, 0, false, &shape, here});
     };
     std::visit(EachKind{[&](const Sphere& sphere) { look(sphere); }, [&](const Box& box) { look(box); },
                         [&](const Composite& composite) {
-                          if (!room->second.excludes(place, near))
-                            visit_all(composite.children, here, instance, walk);
+                          if (!room->second.excludes(place, margin(here, 0)))
+                            visit_all(composite.children, here, instance);
                         }},
                shape.geometry);
   }
 
   template <class Geometry>
-  static void look_at(const Geometry& shape, const Ray<Real>& ray, const Vec3d& place, double margin,
-                      const EnclosingDielectric& dielectric, Walk& walk) {
-    // What is not a number is near.
-    walk.is_on_surface = walk.is_on_surface || is_near_surface(shape, place, margin);
-    if (const auto exit = exit_distance(shape, ray)) walk.left.push_back({*exit, dielectric});
+  void add(const Geometry& geometry, const Vec3d& place, Glass glass) {
+    const double size = size_of(geometry);
+    glass.is_near = is_near_surface(geometry, place, margin(glass.world_from_object, size));
+    if (glass.is_near) {
+      const Mat4<double> m(glass.world_from_object.matrix);
+      const double of_world = largest(formulas::absolute_product(m, Vec3d(size)) + glm::abs(Vec3d(m[3])));
+      ray_.t_min = std::max(ray_.t_min, formulas::resolution<Real>() * static_cast<Real>(of_world));
+    } else if (const auto exit = exit_of(glass, ray_.direction)) {
+      glass.exit = *exit;
+    } else {
+      return;
+    }
+    glass_.push_back(glass);
   }
 
-  /// What the roundings of the eye's place come to, and t_min, in the space of the ray.
-  double margin(const Mat4<Real>& inverse, const Ray<Real>& ray) const {
-    const Vec3d eye = glm::abs(Vec3d(eye_));
-    const Mat4<double> m(inverse);
+  Ray<Real> ray_in(const Transform<Real>& here, const Vec3<Real>& direction) const {
+    Ray<Real> ray = formulas::transform_ray(here.inverse, Ray<Real>{ray_.origin, direction});
+    ray.t_min = ray_.t_min;
+    ray.world_length = formulas::absolute_product(here.inverse, ray_.world_length);
+    return ray;
+  }
+
+  std::optional<Real> exit_of(const Glass& glass, const Vec3<Real>& direction) const {
+    const Ray<Real> ray = ray_in(glass.world_from_object, direction);
+    return std::visit(EachKind{[&](const Sphere& sphere) { return exit_distance(sphere, ray); },
+                               [&](const Box& box) { return exit_distance(box, ray); },
+                               [](const Composite&) { return std::optional<Real>(); }},
+                      glass.shape->geometry);
+  }
+
+  /// In the space of a shape of that size: what the roundings of its surface and of the eye's place come to.
+  double margin(const Transform<Real>& here, double size) const {
+    const Vec3d eye = glm::abs(Vec3d(ray_.origin));
+    const Mat4<double> m(here.inverse);
+    const Vec3d per_length = formulas::absolute_product(m, Vec3d(1));
     return slack<Real> * (largest(formulas::absolute_product(m, eye) + glm::abs(Vec3d(m[3]))) +
-                          largest(eye) * largest(Vec3d(ray.world_length)));
+                          largest(eye) * largest(per_length) + size);
   }
 
   const Scene& scene_;
-  Vec3<Real> eye_;
+  Ray<Real> ray_;  ///< from the eye, ahead
   std::vector<std::uint64_t> counts_;
   std::unordered_map<ShapeId, Room> rooms_;  ///< of composites with glass below, in their own space
+  std::vector<Glass> glass_;                 ///< outermost first
 };
 
 template <class Real>
@@ -201,10 +228,10 @@ DielectricsAroundEye<Real>::DielectricsAroundEye(const Scene& scene, const Vec3<
   const bool any = std::any_of(scene.materials.begin(), scene.materials.end(),
                                [](const Material& m) { return m.transmits(); });
   if (!any) return;
-  auto search = std::make_unique<Search>(scene, eye);
-  auto found = search->along(glm::normalize(direction));
-  ahead_ = std::move(found.around);
-  if (found.is_on_surface) search_ = std::move(search);
+  const Vec3<Real> ahead = glm::normalize(direction);
+  auto search = std::make_unique<Search>(scene, eye, ahead);
+  ahead_ = search->along(ahead);
+  if (search->is_on_surface()) search_ = std::move(search);
 }
 template <class Real>
 DielectricsAroundEye<Real>::~DielectricsAroundEye() = default;
@@ -212,8 +239,13 @@ template <class Real>
 DielectricsAroundEye<Real>::DielectricsAroundEye(DielectricsAroundEye&&) noexcept = default;
 
 template <class Real>
+Real DielectricsAroundEye<Real>::t_min() const {
+  return search_ ? search_->t_min() : Real(0);
+}
+
+template <class Real>
 std::vector<EnclosingDielectric> DielectricsAroundEye<Real>::of_ray(const Vec3<Real>& direction) const {
-  return search_ ? search_->along(direction).around : ahead_;
+  return search_ ? search_->along(direction) : ahead_;
 }
 
 template class DielectricsAroundEye<float>;

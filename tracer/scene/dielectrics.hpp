@@ -34,6 +34,9 @@ class DielectricsAroundEye {
   /// Of the ray that the camera looks along; of every ray, unless the eye lies on a surface.
   const std::vector<EnclosingDielectric>& ahead() const { return ahead_; }
   bool is_on_surface() const { return search_ != nullptr; }
+  /// Up to where what a ray from the eye meets cannot be told from the eye, by the glass that it lies on; 0
+  /// when it lies on none.
+  Real t_min() const;
   /// Outermost first; the direction is a unit vector.
   std::vector<EnclosingDielectric> of_ray(const Vec3<Real>& direction) const;
 

@@ -33,8 +33,9 @@ class Tracer {
   /// Linear colour of the pixel centre; row 0 is the top row.
   Rgb<Real> raycast(int x, int y) const {
     const Vec2<Real> on_plane = f_->image_plane_point(x, y, width_, height_);
-    const Ray<Real> ray = f_->world_ray(world_from_camera_, f_->camera_ray(on_plane, distance_));
+    Ray<Real> ray = f_->world_ray(world_from_camera_, f_->camera_ray(on_plane, distance_));
     if (!around_the_eye_.is_on_surface()) return trace(RayKind::camera, ray, {}, ahead_, 0);
+    ray.t_min = around_the_eye_.t_min();
     return trace(RayKind::camera, ray, {}, interiors_of(around_the_eye_.of_ray(ray.direction)), 0);
   }
 

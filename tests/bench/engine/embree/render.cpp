@@ -145,8 +145,9 @@ class TileRenderer {
 Image render(const EmbreeScene& embree, const Scene& scene, const EmbreeJob& job) {
   const Camera& camera = scene.camera(scene.renders.front().camera);
   const CameraPose<double> pose = pose_of<double>(camera);
-  if (!dielectrics_around(scene, pose.eye, pose.direction).empty())
-    throw std::runtime_error("the eye is inside glass, which this program does not know");
+  const DielectricsAroundEye<double> around(scene, pose.eye, pose.direction);
+  if (!around.ahead().empty() || around.is_on_surface())
+    throw std::runtime_error("the eye is inside glass or on it, which this program does not know");
   const Looks looks(scene);
   const Eye eye(camera, job);
   Image image(job.width, job.height);
