@@ -10,6 +10,7 @@
 #include <mutex>
 #include <shared_mutex>
 #include <stdexcept>
+#include <tuple>
 
 #include "references/submissions/collect.hpp"
 #include "references/submissions/command_line.hpp"
@@ -159,15 +160,30 @@ std::string last_words(const std::string& printed) {
   return "; its last words: " + printed.substr(begin, std::min(longest, end + 1 - begin));
 }
 
-/// Run as root, programs become somebody else: what its owner alone may execute would have run for the owner.
-void require_executable_by_others(const std::string& program) {
+/// Run as root, programs become somebody else: what its owner alone may read or execute would have run for
+/// the owner. `words` are of the command; of the submission the first files are looked at.
+void require_open_to_others(const std::vector<std::string>& words, const std::string& submission) {
+  if (geteuid() != 0) return;
+  constexpr int most_files = 10'000;
+  const auto require = [](const fs::path& file) {
+    std::error_code none;
+    const fs::file_status status = fs::symlink_status(file, none);
+    if (!fs::is_regular_file(status)) return;
+    for (const auto& [own, of_others, verb] :
+         {std::tuple(fs::perms::owner_read, fs::perms::others_read, "read"),
+          std::tuple(fs::perms::owner_exec, fs::perms::others_exec, "execute")})
+      if ((status.permissions() & own) == own && (status.permissions() & of_others) != of_others)
+        throw std::runtime_error(file.string() + ": others may not " + verb +
+                                 " it, and a program that root judges " +
+                                 "runs as somebody else; expected chmod -R go+rX");
+  };
+  for (const std::string& word : words)
+    if (word.starts_with("/")) require(word);
   std::error_code none;
-  const fs::perms may = fs::status(program, none).permissions();
-  constexpr fs::perms own = fs::perms::owner_exec,
-                      of_others = fs::perms::others_exec | fs::perms::others_read;
-  if (none || geteuid() != 0 || (may & own) != own || (may & of_others) == of_others) return;
-  throw std::runtime_error(program + ": others may not execute it, and a program that root judges runs as " +
-                           "somebody else; expected chmod go+rx");
+  int files = 0;
+  for (fs::recursive_directory_iterator at(submission, none), end; !none && at != end && files < most_files;
+       at.increment(none), ++files)
+    require(at->path());
 }
 
 /// True when the run itself is the verdict.
@@ -245,7 +261,7 @@ std::string picture_of_run(const Submission& submission, const JudgedScene& scen
       substituted(options.command,
                   {{"scene", inside + ".sdf"}, {"image", inside + ".ppm"}, {"submission", submission.path}});
   const SandboxRun run = fair_run(command, view_for(submission, options, work.path()), options.limits);
-  if (!run.not_executed.empty()) require_executable_by_others(command.front());
+  if (!run.not_executed.empty()) require_open_to_others(command, submission.path);
   if (ended_badly(run, result)) return {};
   Found found = Found::nothing;
   const std::vector<std::string> names{scene.name + ".ppm", name_in_scene(scene)};
@@ -255,6 +271,7 @@ std::string picture_of_run(const Submission& submission, const JudgedScene& scen
     if (found == Found::picture) return target;
     if (found != Found::nothing) break;
   }
+  if (found == Found::nothing && run.exit_code != 0) require_open_to_others(command, submission.path);
   const std::string expected = shown_name(names[0] == names[1] ? names[0] : names[0] + " or " + names[1]);
   say_why_none(found, run.exit_code,
                why_no_picture(run.printed, files_left_in(run.directory(), scene_file), expected), result);

@@ -82,7 +82,7 @@ TEST_F(JudgeClass, AProgramThatItsOwnerAloneMayExecuteIsTroubleOfRoot) {
   EXPECT_EQ(verdicts(),
             (Verdicts{{"ada", "right"}, {"ben", is_root ? "trouble" : "right"}, {"cy", "crashed"}}))
       << told.output;
-  EXPECT_EQ(contains(json()["pictures"][1]["message"], "chmod go+rx"), is_root) << json();
+  EXPECT_EQ(contains(json()["pictures"][1]["message"], "chmod -R go+rX"), is_root) << json();
 }
 
 TEST_F(JudgeClass, AReportThatCannotBeWrittenCostsNoOtherOutput) {
