@@ -18,6 +18,8 @@ struct OptionWords {
   std::vector<std::string> names;    ///< with their dashes; empty for what stands by its place
   std::string value;                 ///< empty for a flag
   std::vector<std::string> choices;  ///< of the value, when there are few
+  bool is_required = false, takes_several = false;
+  std::string set_to;  ///< when it is not given; empty when that is said otherwise
   std::string description;
 };
 
@@ -46,6 +48,9 @@ OptionWords words_of(const CLI::Option& option) {
   else if (option.get_items_expected_max() > 0)
     words.value = type.substr(0, type.find(':'));
   words.choices = choices_in(type);
+  words.is_required = option.get_required();
+  words.takes_several = option.get_items_expected_max() > 1;
+  words.set_to = option.get_default_str();
   words.description = option.get_description();
   return words;
 }
@@ -78,13 +83,26 @@ std::string in_roff(const std::string& text) {
   return (line.starts_with(".") || line.starts_with("'") ? "\\&" : "") + line;
 }
 
+constexpr const char* environment =
+    ".SH ENVIRONMENT\n.TP\n.B PLUMB_DATA\nshare/plumb of an installation, with scenes, images and chart; "
+    "default: beside the "
+    "program.\n.TP\n.B PLUMB_CACHE\nWhere pictures of POV\\-Ray are kept; default: ~/.cache/plumb.\n"
+    ".TP\n.B PLUMB_REFERENCES\nA directory of reference images of your own.\n"
+    ".SH FILES\nScenes that the examples call tests/scenes lie in share/plumb/scenes of an installation.\n";
+
+/// As it stands in a synopsis.
+std::string place_of(const OptionWords& option) {
+  const std::string name = option.value + (option.takes_several ? "..." : "");
+  return option.is_required ? name : "[" + name + "]";
+}
+
 std::string man_page(const std::string& name, const CommandWords& words,
                      const std::vector<CommandWords>& below) {
   std::string text = ".TH " + name + " 1 \"\" \"plumb " PLUMB_VERSION "\" \"User Commands\"\n";
   text += ".SH NAME\n" + in_roff(name + " - " + words.purpose) + "\n.SH SYNOPSIS\n.B " +
           in_roff(words.name.empty() ? "plumb" : "plumb " + words.name) + "\n[OPTIONS]";
   for (const OptionWords& option : words.options)
-    if (option.names.empty()) text += " " + in_roff(option.value);
+    if (option.names.empty()) text += " " + in_roff(place_of(option));
   text += below.empty() ? "\n" : " COMMAND\n.SH COMMANDS\n";
   for (const CommandWords& command : below)
     text += ".TP\n.B " + in_roff(command.name) + "\n" + in_roff(command.purpose) + " See plumb\\-" +
@@ -95,12 +113,13 @@ std::string man_page(const std::string& name, const CommandWords& words,
     for (const std::string& each : option.names) names += (names.empty() ? "" : ", ") + each;
     text += ".TP\n.B " + in_roff(names + (names.empty() || option.value.empty() ? "" : " ") + option.value) +
             "\n" + in_roff(option.description) + "\n";
+    if (!option.set_to.empty()) text += ".br\nDefault: " + in_roff(option.set_to) + ".\n";
     if (option.choices.empty()) continue;
-    text += "One of";
+    text += ".br\nOne of";
     for (const std::string& choice : option.choices) text += " " + in_roff(choice);
     text += ".\n";
   }
-  return text + ".SH EXAMPLES AND EXIT CODES\n" + in_roff(words.footer) + "\n";
+  return text + ".SH EXAMPLES AND EXIT CODES\n" + in_roff(words.footer) + "\n" + environment;
 }
 
 std::string joined(const std::vector<std::string>& words) {
@@ -142,12 +161,17 @@ std::string bash(const CommandWords& plumb, const std::vector<CommandWords>& com
          "complete -o bashdefault -o default -F _plumb plumb\n";
 }
 
+std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+
 std::string in_quotes_of_zsh(const std::string& text) {
-  return with_each(text, {{'\'', "'\\''"}, {'[', "\\["}, {']', "\\]"}, {':', "\\:"}, {'\n', " "}});
+  return with_each(first_line(text),
+                   {{'\'', "'\\''"}, {'[', "\\["}, {']', "\\]"}, {':', "\\:"}, {'\n', " "}});
 }
 
 std::string zsh_option(const OptionWords& option) {
-  if (option.names.empty()) return "      '*:" + in_quotes_of_zsh(option.value) + ":_files' \\\n";
+  if (option.names.empty())
+    return std::string("      '") + (option.takes_several ? "*:" : ":") + in_quotes_of_zsh(option.value) +
+           ":_files' \\\n";
   std::string text;
   for (const std::string& name : option.names) {
     text += "      '*" + name + "[" + in_quotes_of_zsh(option.description) + "]";
@@ -178,7 +202,7 @@ std::string zsh(const std::vector<CommandWords>& commands) {
 }
 
 std::string in_quotes_of_fish(const std::string& text) {
-  return "'" + with_each(text, {{'\'', "\\'"}, {'\\', "\\\\"}, {'\n', " "}}) + "'";
+  return "'" + with_each(first_line(text), {{'\'', "\\'"}, {'\\', "\\\\"}, {'\n', " "}}) + "'";
 }
 
 std::string fish(const std::vector<CommandWords>& commands) {
@@ -201,7 +225,9 @@ std::string fish(const std::vector<CommandWords>& commands) {
 
 int write_all(const CLI::App& plumb, const std::string& directory) {
   const std::vector<CommandWords> commands = commands_of(plumb);
-  const CommandWords itself = words_of(plumb);
+  CommandWords itself = words_of(plumb);
+  itself.name.clear();  // the library has the path of the program there
+  itself.purpose = "tell whether a ray tracer is right, and if not, which formula is wrong";
   fs::create_directories(directory + "/man1");
   fs::create_directories(directory + "/completions");
   write_file(directory + "/man1/plumb.1", man_page("plumb", itself, commands));

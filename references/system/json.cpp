@@ -10,10 +10,10 @@ std::string replacing(const Json& json, int indent) {
 
 }  // namespace
 
-nlohmann::ordered_json parse_ordered_json(const std::string& text) {
+nlohmann::ordered_json parse_ordered_json(std::string_view text) {
   return nlohmann::ordered_json::parse(text);
 }
-nlohmann::json parse_json(const std::string& text) { return nlohmann::json::parse(text); }
+nlohmann::json parse_json(std::string_view text) { return nlohmann::json::parse(text); }
 
 std::string json_text(const nlohmann::ordered_json& json, int indent) { return json.dump(indent); }
 std::string json_text(const nlohmann::json& json, int indent) { return json.dump(indent); }

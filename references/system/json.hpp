@@ -4,12 +4,13 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 
 namespace plumb::references {
 
 /// Of a whole text. Throws nlohmann::json::parse_error.
-nlohmann::ordered_json parse_ordered_json(const std::string& text);
-nlohmann::json parse_json(const std::string& text);
+nlohmann::ordered_json parse_ordered_json(std::string_view text);
+nlohmann::json parse_json(std::string_view text);
 
 /// On one line, or indented. Throws nlohmann::json::type_error where a string is not UTF-8.
 std::string json_text(const nlohmann::ordered_json& json, int indent = -1);

@@ -24,7 +24,7 @@ Layout layout_of(Data data) {
     case Data::images:
       return {"images", "references/images"};
     case Data::chart:
-      return {"chart", "references/chart"};
+      return {"chart", "references/studies/chart"};
     case Data::scenes:
       break;
   }
