@@ -75,7 +75,6 @@ class PixelJudge {
     weigh(p, trial);
     for (int pattern = 0; pattern < oracle_.all_patterns(); ++pattern) {
       if (is_settled(trial)) break;
-      if (pattern == Oracle::patterns && trial.answers.is_decided(job_.tolerance)) break;
       const auto moved = oracle_.colour_when_moved(p.x, p.y, pattern);
       if (!moved || work_.is_over()) return std::nullopt;
       trial.answers.include(to_colour(*moved));

@@ -49,6 +49,11 @@ struct Answers {
 /// tried until they are told apart or all are done, so "decided" means that 48 moves found nothing: an edge
 /// that each of the first 32 crosses with probability 1/2 is missed once in 4e9.
 ///
+/// A renderer in double rounds anew at each ray, and no scene nearby explains the sum of what comes of it: a
+/// ray may pass an edge on one side, and another ray, that a mirror sends back to that edge, on the other. So
+/// answers are added in which every meeting of a ray with a shape is moved by the last digits on its own, and
+/// in half of which what lies within a few of them is passed by, as the second face at an edge within glass.
+///
 /// A ray that only touches an edge of a box meets the face by which it enters, and the moves add the miss. No
 /// scene nearby shows the face by which it leaves, from behind: a renderer that takes that one is wrong.
 ///

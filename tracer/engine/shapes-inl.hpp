@@ -217,25 +217,6 @@ HWY_INLINE M<Real> leaves_own_box(const RayVector<Real>& ray) {
                 leaves(ray.direction.z, few.z, 2));
 }
 
-/// The lanes that start on a face of the box and go in.
-template <class Real>
-HWY_INLINE M<Real> goes_in_own_box(const RayVector<Real>& ray, const V3<Real>& per_direction) {
-  const V<Real> infinite = set(std::numeric_limits<Real>::infinity());
-  const auto enters = [&](V<Real> direction, V<Real> per, unsigned axis) HWY_ATTR {
-    return hn::And(starts_on_face(ray, face_of<Real>(direction, axis, true)), hn::Ne(per, infinite));
-  };
-  return hn::Or(
-      hn::Or(enters(ray.direction.x, per_direction.x, 0), enters(ray.direction.y, per_direction.y, 1)),
-      enters(ray.direction.z, per_direction.z, 2));
-}
-
-/// formulas::just_after.
-template <class Real>
-HWY_INLINE V<Real> just_after(V<Real> t_min) {
-  return hn::MulAdd(t_min, set(1 + 4 * std::numeric_limits<Real>::epsilon()),
-                    set(std::numeric_limits<Real>::min()));
-}
-
 /// formulas::intersect_box.
 template <class Real>
 HWY_INLINE Met<Real> meet(const RayVector<Real>& ray, const V3<Real>& per_direction, const Box<Real>& box) {
@@ -268,11 +249,7 @@ HWY_INLINE Met<Real> meet(const RayVector<Real>& ray, const V3<Real>& per_direct
   const V<Real> leave = hn::Min(hn::Min(x.leave, y.leave), z.leave);
   M<Real> enters = hn::Gt(enter, ray.t_min);
   if (ray.any_own) enters = hn::AndNot(ray.own, enters);
-  V<Real> t = hn::IfThenElse(enters, enter, leave);
-  if (ray.any_own) {
-    const M<Real> leaves_at_once = hn::And(goes_in_own_box(ray, per_direction), hn::Le(leave, ray.t_min));
-    t = hn::IfThenElse(leaves_at_once, just_after<Real>(ray.t_min), t);
-  }
+  const V<Real> t = hn::IfThenElse(enters, enter, leave);
   const M<Real> is_through = hn::Le(enter, hn::Add(leave, one_place(ray, leave)));
   const M<Real> mask = hn::AndNot(is_missed, hn::And(is_through, hn::Gt(t, ray.t_min)));
   if (none<Real>(mask)) return {mask, t, hn::Zero(w)};

@@ -71,13 +71,11 @@ Face face_met_at(Real t, const Vec3<Real>& times, const Ray<Real>& ray, bool is_
 /// Slide "Quader": of the six planes only the three toward the viewer can be entered, and the ray is
 /// inside after the last of them and before the first of the other three; from inside, the hit is
 /// where it leaves. No value for a miss. A ray that starts on `start_face` leaves that
-/// plane for good, so it is never met again: no epsilon is needed. Where it goes inward from there it leaves
-/// by another face, however near: on an edge at once, which counts just after t_min.
+/// plane for good, so it is never met again: no epsilon is needed.
 template <class Real>
 std::optional<FaceHit<Real>> intersect_box(const Ray<Real>& ray, const Corners<Real>& box, Face start_face) {
   Vec3<Real> enter(-std::numeric_limits<Real>::infinity());
   Vec3<Real> leave(std::numeric_limits<Real>::infinity());
-  bool goes_in = false;
   for (int axis = 0; axis < 3; ++axis) {
     if (is_parallel(ray, axis)) {
       if (start_face != no_face && start_face / 2 == axis) return std::nullopt;  // runs along it
@@ -92,9 +90,7 @@ std::optional<FaceHit<Real>> intersect_box(const Ray<Real>& ray, const Corners<R
     if (start_face == far_face) return std::nullopt;  // starts there and moves away
     const Real near_plane = ascending ? box.min[axis] : box.max[axis];
     const Real far_plane = ascending ? box.max[axis] : box.min[axis];
-    const bool starts_here = start_face == near_face;
-    enter[axis] = starts_here ? Real(0) : plane_crossed_at(ray, axis, near_plane);
-    goes_in = goes_in || starts_here;
+    enter[axis] = start_face == near_face ? Real(0) : plane_crossed_at(ray, axis, near_plane);
     leave[axis] = plane_crossed_at(ray, axis, far_plane);
   }
   const Real inside_from = std::max({enter.x, enter.y, enter.z});
@@ -102,10 +98,9 @@ std::optional<FaceHit<Real>> intersect_box(const Ray<Real>& ray, const Corners<R
   if (!(inside_from <= inside_to + one_place(ray, inside_to))) return std::nullopt;
   if (inside_from > ray.t_min && start_face == no_face)
     return FaceHit<Real>{inside_from, face_met_at(inside_from, enter, ray, true)};
-  if (!(inside_to < std::numeric_limits<Real>::infinity())) return std::nullopt;
-  if (inside_to > ray.t_min) return FaceHit<Real>{inside_to, face_met_at(inside_to, leave, ray, false)};
-  if (!goes_in) return std::nullopt;
-  return FaceHit<Real>{just_after(ray.t_min), face_met_at(inside_to, leave, ray, false)};
+  if (inside_to > ray.t_min && inside_to < std::numeric_limits<Real>::infinity())
+    return FaceHit<Real>{inside_to, face_met_at(inside_to, leave, ray, false)};
+  return std::nullopt;
 }
 
 /// Outward unit normal of a face.

@@ -77,9 +77,6 @@ struct std::numeric_limits<plumb::Quad> {
   static constexpr int digits = 113;
   static constexpr plumb::Quad infinity() { return std::numeric_limits<double>::infinity(); }
   static constexpr plumb::Quad quiet_NaN() { return std::numeric_limits<double>::quiet_NaN(); }
-  static constexpr plumb::Quad min() {
-    return std::numeric_limits<double>::min();
-  }  ///< not its least, but small
   /// 2^-112
   static constexpr plumb::Quad epsilon() { return plumb::Quad(0x1p-56) * plumb::Quad(0x1p-56); }
 };

@@ -45,12 +45,6 @@ Real one_place(const Ray<Real>& ray, Real t) {
   return ray.t_min + resolution<Real>() * t;
 }
 
-/// No slide, a decision: the t of what is met at the origin of a ray and counts all the same.
-template <class Real>
-constexpr Real just_after(Real t_min) {
-  return t_min * (1 + 4 * std::numeric_limits<Real>::epsilon()) + std::numeric_limits<Real>::min();
-}
-
 /// No slide, a decision: what a surface that is grazed tells apart, as a share of what t does: 16 roundings
 /// of a place in double, none in float. Below this slope they are more than the resolution of t.
 template <class Real>
