@@ -48,7 +48,8 @@ TEST(Readme, EveryCommandRuns) {
   std::set<std::string> left;
   for (const auto& entry : std::filesystem::directory_iterator(workplace.directory()))
     left.insert(entry.path().filename().string());
-  for (const char* const known : {"tests", "references", "scripts", "build", ".cache", "output.txt"}) left.erase(known);
+  for (const char* const known : {"tests", "references", "scripts", "build", ".cache", "output.txt"})
+    left.erase(known);
   EXPECT_TRUE(left.empty()) << "the commands leave " << *left.begin() << " in the clone";
 }
 
