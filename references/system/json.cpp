@@ -1,5 +1,7 @@
 #include "references/system/json.hpp"
 
+#include <nlohmann/json.hpp>
+
 namespace plumb::references {
 namespace {
 

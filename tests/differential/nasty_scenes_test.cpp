@@ -2,6 +2,8 @@
 // what verify, its judgement and explain say of one pixel is never a contradiction.
 #include <gtest/gtest.h>
 
+#include <numeric>
+
 #include "references/gates/verify.hpp"
 #include "references/report/explain.hpp"
 #include "tests/support/nasty_scene.hpp"
@@ -207,9 +209,13 @@ TEST(EyeOnGlass, LeavesTheOrderOfOtherGlassAsItIs) {
 TEST(NastyScenes, NoOutputContradictsAnother) {
   const Workplace workplace;
   setenv("PLUMB_CACHE", workplace.path(".cache").c_str(), 1);
-  const unsigned wanted = number_from("PLUMB_NASTY_JUDGED", 24);
+  std::vector<unsigned> seeds(number_from("PLUMB_NASTY_JUDGED", 24));
+  std::iota(seeds.begin(), seeds.end(), 1U);
+  // Edges that rays start on within glass, and an eye on glass: each was said to be our mistake.
+  for (const unsigned known : {26U, 57U})
+    if (known > seeds.size()) seeds.push_back(known);
   std::size_t over = 0, unexplained = 0;
-  for (unsigned seed = 1; seed <= wanted; ++seed) {
+  for (const unsigned seed : seeds) {
     const RandomScene random = nasty_scene(seed);
     const std::string path = workplace.file(std::to_string(seed) + ".sdf", write_scene(random.scene));
     references::VerifyOptions options;

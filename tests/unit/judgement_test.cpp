@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 
 #include "tests/support/run.hpp"
@@ -78,6 +79,29 @@ TEST_F(JudgedPictures, TheWrongSideIsNamed) {
   const Judgement reference = judged(wrong_at(3, 4), right_);
   ASSERT_EQ(reference.pixels.size(), 1U);
   EXPECT_EQ(reference.pixels[0].verdict, Verdict::reference_wrong);
+}
+
+/// A ray that passes by the glass that it starts in, and then takes leaving it for entering, is no rounding.
+TEST(JudgedGlass, AnInvertedRefractionIsWrongWhereTheEyeLiesOnGlass) {
+  const Scene scene = read_scene(
+                          "define material green 0 0.9 0 0 0.5 0 0 0 0 1\n"
+                          "define material glass 0 0 0.1 0 0 0.3 0 0 0 1 transmit 0.6 0.6 0.6 eta 1.5\n"
+                          "define shape sphere ball 0.5 0.5 -0.25 0.375 glass\n"
+                          "define shape box wall -9 -9 -9 9 9 -5 green\n"
+                          "define light l 5 4 3 1 1 1 1\nambient 0.5 0.5 0.5\nbackground 0.1 0.2 0.7\n"
+                          "define camera eye 90 0.5 0.125 -0.25 0 0.1 -1 0 0 1\n")
+                          .scene;
+  RenderJob job;
+  job.width = 32;
+  job.height = 24;
+  const Image right = engine::render(scene, scene.cameras.front(), job);
+  Image inverted = right;
+  const float value[] = {0, 0.459F,
+                         0.05F};  // bent by 1/1.5 where the ray leaves: the wall in place of a mirror
+  std::copy(std::begin(value), std::end(value), inverted.pixel(0, 0));
+  const Judgement judged = judge_pixels({scene, scene.cameras.front(), {}, inverted, right, 1e-6});
+  ASSERT_EQ(judged.pixels.size(), 1U);
+  EXPECT_EQ(judged.pixels[0].verdict, Verdict::reference_wrong);
 }
 
 TEST_F(JudgedPictures, BothMayBeWrong) {
