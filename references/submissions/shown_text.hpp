@@ -5,7 +5,8 @@
 
 namespace plumb::references {
 
-/// A file's name; in one that is no UTF-8 each byte beyond ASCII is written \xNN.
+/// A file's name as valid UTF-8; two names are never shown alike. In a name that is no UTF-8, or that holds
+/// "\x" itself, each backslash and each byte beyond ASCII is written \xNN.
 std::string shown_name(const std::string& bytes);
 
 /// What is no UTF-8 becomes U+FFFD.

@@ -202,6 +202,8 @@ TEST(NoPicture, TellsAPrintedPictureFromWords) {
 TEST(ShownName, IsUtf8WhateverTheName) {
   EXPECT_EQ(references::shown_name("ad\xc3\xa9"), "ad\xc3\xa9");
   EXPECT_EQ(references::shown_name("ad\xe9"), "ad\\xe9");
+  EXPECT_EQ(references::shown_name("a\\b"), "a\\b");
+  EXPECT_EQ(references::shown_name("ad\\xe9"), "ad\\x5cxe9") << "would be shown as the name before";
   EXPECT_EQ(references::shown_text("ad\xe9!"), "ad\xEF\xBF\xBD!");
 }
 
