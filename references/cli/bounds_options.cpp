@@ -2,8 +2,7 @@
 
 #include <cstdio>
 
-#include "tracer/text/numbers.hpp"
-#include "tracer/text/words.hpp"
+#include "references/cli/options.hpp"
 
 namespace plumb::cli {
 namespace {
@@ -41,43 +40,33 @@ std::string regions_text(const references::Bounds& bounds, const references::Bou
 
 }  // namespace
 
-void add_bounds(CLI::App& app, BoundsOptions& options) {
-  const CLI::Validator finite_and_positive(
-      [](std::string& text) -> std::string {
-        const Number number = parse_number(text);
-        if (number.complaint.empty() && number.value >= 0) return {};
-        return "found " + in_quotes(text) + ", expected a finite number >= 0";
-      },
-      "");
-  app.add_option(
-         "--allow-over", options.allow_over,
-         "how many pixels may be over: a number, or a percentage of those compared; never one that is "
-         "not finite")
-      ->type_name("N|P%")
-      ->capture_default_str();
-  app.add_option("--relative", options.relative,
-                 "a component also agrees when it differs by at most T * |reference|")
-      ->type_name("T")
-      ->check(finite_and_positive);
+Table bounds_options(references::Bounds& bounds) {
+  const auto reader = [](std::vector<references::Region>& regions, const char* name) {
+    return [&regions, name](const std::string& text) {
+      regions.push_back(references::parse_region(text, name));
+    };
+  };
   constexpr const char* region = "X,Y,W,H|MASK";
-  app.add_option("--ignore", options.ignore,
-                 "leave out this rectangle, or the pixels of this mask image that are not black; repeatable")
-      ->type_name(region)
-      ->allow_extra_args(false);
-  app.add_option("--only", options.only, "compare nothing but this rectangle or mask; repeatable")
-      ->type_name(region)
-      ->allow_extra_args(false);
-}
-
-references::Bounds bounds_of(const BoundsOptions& options, double tolerance) {
-  references::Bounds bounds;
-  bounds.limit = {tolerance, options.relative};
-  bounds.allow_over = references::parse_allow_over(options.allow_over, "--allow-over");
-  for (const std::string& text : options.ignore)
-    bounds.ignore.push_back(references::parse_region(text, "--ignore"));
-  for (const std::string& text : options.only)
-    bounds.only.push_back(references::parse_region(text, "--only"));
-  return bounds;
+  const auto read_allowed = [&bounds](const std::string& text) {
+    bounds.allow_over = references::parse_allow_over(text, "--allow-over");
+  };
+  return {{"--allow-over",
+           read_allowed,
+           "how many pixels may be over: a number, or a percentage of those compared; never one "
+           "that is not finite",
+           {.value = "N|P%", .default_text = bounds.allow_over.text()}},
+          {"--relative",
+           &bounds.limit.relative,
+           "a component also agrees when it differs by at most T * |reference|",
+           {.value = "T", .complaint = complaint_about_size}},
+          {"--ignore",
+           reader(bounds.ignore, "--ignore"),
+           "leave out this rectangle, or the pixels of this mask image that are not black; repeatable",
+           {.value = region, .is_repeatable = true}},
+          {"--only",
+           reader(bounds.only, "--only"),
+           "compare nothing but this rectangle or mask; repeatable",
+           {.value = region, .is_repeatable = true}}};
 }
 
 Json to_json(const references::Bounds& bounds, const references::BoundedComparison& result) {

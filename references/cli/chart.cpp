@@ -18,9 +18,8 @@ namespace {
 struct Options {
   std::vector<std::string> scenes;
   std::string json, svg, png;
-  int runs = 5;
-  bool fresh = false;
-  SceneOptions common;
+  references::PictureOptions picture;
+  references::ChartOptions chart;
 };
 
 /// The pictures that are asked for; all files when none is.
@@ -40,16 +39,14 @@ std::vector<std::string> pictures(Options& options) {
   return files;
 }
 
-references::ChartOptions chart_options(const Options& options) {
-  references::ChartOptions chart;
-  chart.size = size_of(options.common).value_or(chart.size);
-  chart.camera = options.common.camera;
-  chart.dialect = dialect_of(options.common);
-  chart.render = render_options_of(options.common);
-  chart.runs = options.runs;
-  chart.fresh = options.fresh;
+/// What no option says by itself.
+void complete(Options& options) {
+  references::ChartOptions& chart = options.chart;
+  chart.size = options.picture.size.value_or(chart.size);
+  chart.camera = options.picture.camera;
+  chart.dialect = options.picture.dialect;
+  chart.render = options.picture.render;
   chart.warn = warn;
-  return chart;
 }
 
 /// What lies on the fronts, the fastest first as they were measured.
@@ -63,13 +60,13 @@ void print_fronts(const references::ChartScene& scene) {
   }
 }
 
-int run_chart(Options options) {
+int run_chart(Options& options) {
   const std::vector<std::string> files = pictures(options);
   if (!files.empty()) references::check_plotting();
-  references::ChartOptions wanted = chart_options(options);
+  complete(options);
   Progress progress("measuring");
-  wanted.progress = [&](double fraction) { progress.show(fraction); };
-  const references::Chart chart = references::measure_chart(options.scenes, wanted);
+  options.chart.progress = [&](double fraction) { progress.show(fraction); };
+  const references::Chart chart = references::measure_chart(options.scenes, options.chart);
   progress.clear();
   if (!chart.instructions.empty())
     warn("INSTRUCTIONS ARE NOT COUNTED: " + chart.instructions + "; they are null in the JSON");
@@ -84,38 +81,44 @@ int run_chart(Options options) {
   return exit_agrees;
 }
 
+Table picture_options(references::PictureOptions& picture) {
+  Table table = scene_options(picture);
+  table.front().purpose = "size of all pictures";
+  table.front().rules.default_text = "160x120";
+  return table;
+}
+
 }  // namespace
 
-Command add_chart(CLI::App& plumb) {
-  CLI::App* app = plumb.add_subcommand(
-      "chart",
-      "Chart speed against accuracy: every way to render scenes, what it costs and how far it is off.");
+Command chart_command() {
   auto options = std::make_shared<Options>();
-  options->common.size = "160x120";
-  app->add_option("SCENE", options->scenes, "scene files; up to 10 make a readable page")
-      ->required()
-      ->expected(-1);
-  app->add_option("--json", options->json, "write the figures as JSON; - is standard output")
-      ->type_name("FILE");
-  app->add_option("--svg", options->svg, "draw the chart; text stays text")->type_name("FILE");
-  app->add_option("--png", options->png, "draw the chart at 150 dots an inch")->type_name("FILE");
-  app->add_option("--runs", options->runs, "measurements of each cost; the chart shows median and range")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
-  app->add_flag("--fresh", options->fresh, "measure all anew; use nothing that is kept in the cache");
-  add_scene_options(*app, options->common);
-  app->get_option("--size")->capture_default_str()->description("size of all pictures");
-  app->footer(
-      "Example: plumb chart tests/scenes/combined-still-life.sdf tests/scenes/mirror.sdf --svg chart.svg\n"
-      "Without --json, --svg and --png: chart.json, chart.svg and chart.png in the current directory.\n"
-      "Errors are counted from the textbook tracer in 113 bits; those of several samples a pixel from 1024 "
-      "of "
-      "them.\n"
-      "Every run is kept in $PLUMB_CACHE (default ~/.cache/plumb), so a chart that was broken off goes on.\n"
-      "Needs python3-matplotlib to draw.\n"
-      "Exit codes: 0 measured, 2 trouble.");
-  return {app, [options] { return run_chart(*options); }};
+  return {
+      .name = "chart",
+      .purpose =
+          "Chart speed against accuracy: every way to render scenes, what it costs and how far it is off.",
+      .footer =
+          "Example: plumb chart tests/scenes/combined-still-life.sdf tests/scenes/mirror.sdf --svg "
+          "chart.svg\n"
+          "Without --json, --svg and --png: chart.json, chart.svg and chart.png in the current directory.\n"
+          "Errors are counted from the textbook tracer in 113 bits; those of several samples a pixel from "
+          "1024 of "
+          "them.\n"
+          "Every run is kept in $PLUMB_CACHE (default ~/.cache/plumb), so a chart that was broken off goes "
+          "on.\n"
+          "Needs python3-matplotlib to draw.\n"
+          "Exit codes: 0 measured, 2 trouble.",
+      .options = joined(
+          {{{"SCENE", &options->scenes, "scene files; up to 10 make a readable page", {.is_required = true}},
+            output_option("--json", options->json, "write the figures as JSON"),
+            {"--svg", &options->svg, "draw the chart; text stays text", {.value = "FILE"}},
+            {"--png", &options->png, "draw the chart at 150 dots an inch", {.value = "FILE"}},
+            {"--runs",
+             &options->chart.runs,
+             "measurements of each cost; the chart shows median and range",
+             {.value = "N", .shows_default = true, .range = within(1, 1000)}},
+            {"--fresh", &options->chart.fresh, "measure all anew; use nothing that is kept in the cache"}},
+           picture_options(options->picture)}),
+      .run = [options](auto&) { return run_chart(*options); }};
 }
 
 }  // namespace plumb::cli

@@ -1,36 +1,30 @@
-// The commands of plumb: each adds itself to the command line and returns what to run when it is chosen.
+// The commands of plumb, in the order of its help.
 #pragma once
 
-#include <CLI/CLI.hpp>
-#include <functional>
+#include "references/cli/command_line.hpp"
 
 namespace plumb::cli {
 
-/// Runs the command with the options parsed; returns the exit code: 0 agrees, 1 differs, 2 trouble.
-using Run = std::function<int()>;
+Command render_command();
+Command export_command();
+Command verify_command();
+Command compare_command();
+Command explain_command();
+Command lint_command();
+Command references_command();
+Command regress_command();
+Command needs_command();
+Command stability_command();
+Command chart_command();
+Command faults_command();
+Command diagnose_command();
+Command judge_command();
+Command manual_command();
 
-struct Command {
-  CLI::App* app;
-  Run run;
-};
-
-Command add_render(CLI::App& plumb);
-Command add_export(CLI::App& plumb);
-Command add_verify(CLI::App& plumb);
-Command add_compare(CLI::App& plumb);
-Command add_explain(CLI::App& plumb);
-Command add_lint(CLI::App& plumb);
-Command add_needs(CLI::App& plumb);
-Command add_references(CLI::App& plumb);
-Command add_regress(CLI::App& plumb);
-Command add_faults(CLI::App& plumb);
-Command add_diagnose(CLI::App& plumb);
-Command add_stability(CLI::App& plumb);
-Command add_chart(CLI::App& plumb);
-Command add_judge(CLI::App& plumb);
-
-inline constexpr int exit_agrees = 0;
-inline constexpr int exit_differs = 1;
-inline constexpr int exit_trouble = 2;
+inline std::vector<Command> all_commands() {
+  return {render_command(), export_command(),     verify_command(),   compare_command(), explain_command(),
+          lint_command(),   references_command(), regress_command(),  needs_command(),   stability_command(),
+          chart_command(),  faults_command(),     diagnose_command(), judge_command(),   manual_command()};
+}
 
 }  // namespace plumb::cli

@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "references/cli/bounds_options.hpp"
 #include "references/cli/commands.hpp"
 #include "references/cli/compare_pair.hpp"
 #include "references/cli/compare_report.hpp"
@@ -22,13 +23,13 @@ namespace fs = std::filesystem;
 using references::JunitCase;
 
 /// The masks may be named in a file of bounds; what the command line names is refused before.
-void check_difference(const CompareOptions& options, const references::Bounds& bounds) {
+void check_difference(const CompareOptions& options) {
   if (options.difference.empty()) return;
   if (options.difference == "-") throw std::invalid_argument("--diff: found -, expected the name of a file");
   if (const auto complaint = complaint_about(options.difference, default_encoding(options.difference)))
     throw std::invalid_argument("--diff: found " + options.difference + ", " + *complaint);
   std::error_code ignored;
-  for (const std::string& input : bounds.mask_paths()) {
+  for (const std::string& input : options.bounds.mask_paths()) {
     if (fs::equivalent(input, options.difference, ignored))
       throw std::invalid_argument("--diff: found " + options.difference +
                                   ", which is an input, expected the name of another file");
@@ -46,9 +47,8 @@ void write_junit(const CompareOptions& options, const JunitCase& result) {
 }
 
 int compare_one(const CompareOptions& options) {
-  const references::Bounds bounds = bounds_of(options.bounds, options.tolerance);
-  check_difference(options, bounds);
-  Findings findings = compare_files(options.reference, options.test, bounds, options.pair);
+  check_difference(options);
+  Findings findings = compare_files(options.reference, options.test, options.bounds, options.pair);
   const int code = findings.agrees() ? exit_agrees : exit_differs;
   if (options.says_text()) print(findings);
   const Json json = json_of(findings);
@@ -64,11 +64,10 @@ int compare_one(const CompareOptions& options) {
   return code;
 }
 
-void expect_sensible(const CompareOptions& options) {
+void expect_sensible(const CompareOptions& options, const Request& request) {
   if (options.json == "-" && options.junit == "-")
     throw std::invalid_argument("--json and --junit: found - for both, expected a FILE for one of them");
-  const bool has_regions = !options.bounds.ignore.empty() || !options.bounds.only.empty();
-  if (options.pair.metrics && has_regions)
+  if (options.pair.metrics && (request.has("--ignore") || request.has("--only")))
     throw std::invalid_argument("--metrics: they are of whole pictures, expected no --ignore and no --only");
   for (const std::string& channel : options.pair.read.channels)
     if (channel.empty()) throw std::invalid_argument("--channels: found an empty name, expected e.g. R,G,B");
@@ -81,10 +80,11 @@ void expect_both_several(const std::string& several, const std::string& other) {
                              several);
 }
 
-int run_compare(const CompareOptions& options) {
-  expect_sensible(options);
+int run_compare(const CompareOptions& options, const Request& request) {
+  expect_sensible(options, request);
   using references::names_several;
   try {
+    request.read();
     if (names_several(options.reference) && !names_several(options.test))
       expect_both_several(options.reference, options.test);
     if (names_several(options.test) && !names_several(options.reference))
@@ -101,58 +101,64 @@ int run_compare(const CompareOptions& options) {
   }
 }
 
-void add_outputs(CLI::App& app, CompareOptions& options) {
-  app.add_option("--json", options.json, "write the results as JSON; - is standard output")
-      ->type_name("FILE");
-  app.add_option("--junit", options.junit, "write the results as JUnit XML; - is standard output")
-      ->type_name("FILE");
-  app.add_option("--report", options.report, "write a report with the pictures to DIR/index.html")
-      ->type_name("DIR");
-  app.add_option(
-         "--diff", options.difference,
-         "write |test - reference| as an image: .exr and .pfm hold it as it is, .png and .ppm scaled so "
-         "that the largest is white; of directories a directory of .exr")
-      ->type_name("FILE|DIR");
+Table output_options(CompareOptions& options) {
+  return {
+      output_option("--json", options.json, "write the results as JSON"),
+      output_option("--junit", options.junit, "write the results as JUnit XML"),
+      {"--report", &options.report, "write a report with the pictures to DIR/index.html", {.value = "DIR"}},
+      {"--diff",
+       &options.difference,
+       "write |test - reference| as an image: .exr and .pfm hold it as it is, .png and .ppm scaled so "
+       "that the largest is white; of directories a directory of .exr",
+       {.value = "FILE|DIR"}}};
 }
 
-void add_selection(CLI::App& app, CompareOptions& options) {
-  app.add_option("--channels", options.pair.read.channels,
-                 "compare these channels alone, by name, e.g. R,G,B")
-      ->type_name("NAMES")
-      ->delimiter(',')
-      ->allow_extra_args(false);
-  app.add_option("--part", options.pair.read.part, "of files with several parts or pages, the one to compare")
-      ->type_name("NAME|N");
+Table options_of_pairs(PairOptions& pair) {
+  return {{"--channels",
+           &pair.read.channels,
+           "compare these channels alone, by name, e.g. R,G,B",
+           {.value = "NAMES", .is_repeatable = true, .separator = ','}},
+          {"--part",
+           &pair.read.part,
+           "of files with several parts or pages, the one to compare",
+           {.value = "NAME|N"}},
+          {"--metrics", &pair.metrics, "also PSNR, percentiles, bias, SSIM and FLIP"}};
 }
 
 }  // namespace
 
-Command add_compare(CLI::App& plumb) {
-  CLI::App* app = plumb.add_subcommand(
-      "compare", "Compare two image files of the same size, or those of two directories, value by value.");
+Command compare_command() {
   auto options = std::make_shared<CompareOptions>();
-  app->add_option("REFERENCE", options->reference,
-                  "image that is taken to be right; a directory of such, or a quoted pattern")
-      ->required();
-  app->add_option("TEST", options->test, "image to be judged; a directory of such, or a quoted pattern")
-      ->required();
-  add_tolerance(*app, options->tolerance);
-  add_bounds(*app, options->bounds);
-  add_selection(*app, *options);
-  app->add_flag("--metrics", options->pair.metrics, "also PSNR, percentiles, bias, SSIM and FLIP");
-  add_outputs(*app, *options);
-  app->footer(
-      "Example: plumb compare reference.exr mine.exr --tolerance 0.001\n"
-      "         plumb compare references mine --junit results.xml\n"
-      "         plumb compare 'references/*.exr' 'mine/*.png' --report report\n"
-      "Values are compared as they stand in the files; 8 and 16 bits count from 0 to 1.\n"
-      "Images of two directories are paired by their names, in subdirectories too; those with another "
-      "extension "
-      "also, where each side has one. A missing or surplus image is trouble. REFERENCE/bounds.json may bound "
-      "single images: {\"glass\": {\"allow_over\": \"0.1%\", \"ignore\": [\"0,0,64,16\"], \"because\": \"the "
-      "clock\"}}, with tolerance, relative, allow_over, ignore and only as the options.\n" +
-      std::string(metrics_help) + "\nExit codes: 0 agree, 1 differ, 2 trouble.");
-  return {app, [options] { return run_compare(*options); }};
+  return {
+      .name = "compare",
+      .purpose = "Compare two image files of the same size, or those of two directories, value by value.",
+      .footer =
+          "Example: plumb compare reference.exr mine.exr --tolerance 0.001\n"
+          "         plumb compare references mine --junit results.xml\n"
+          "         plumb compare 'references/*.exr' 'mine/*.png' --report report\n"
+          "Values are compared as they stand in the files; 8 and 16 bits count from 0 to 1.\n"
+          "Images of two directories are paired by their names, in subdirectories too; those with another "
+          "extension "
+          "also, where each side has one. A missing or surplus image is trouble. REFERENCE/bounds.json may "
+          "bound "
+          "single images: {\"glass\": {\"allow_over\": \"0.1%\", \"ignore\": [\"0,0,64,16\"], \"because\": "
+          "\"the "
+          "clock\"}}, with tolerance, relative, allow_over, ignore and only as the options.\n" +
+          std::string(metrics_help) + "\nExit codes: 0 agree, 1 differ, 2 trouble.",
+      .options = joined({{{"REFERENCE",
+                           &options->reference,
+                           "image that is taken to be right; a directory of such, or a quoted pattern",
+                           {.is_required = true}},
+                          {"TEST",
+                           &options->test,
+                           "image to be judged; a directory of such, or a quoted pattern",
+                           {.is_required = true}},
+                          tolerance_option(options->bounds.limit.tolerance)},
+                         bounds_options(options->bounds),
+                         options_of_pairs(options->pair),
+                         output_options(*options)}),
+      .run = [options](const Request& request) { return run_compare(*options, request); },
+      .reads_itself = true};
 }
 
 }  // namespace plumb::cli

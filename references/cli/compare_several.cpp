@@ -7,7 +7,7 @@
 #include <new>
 #include <stdexcept>
 
-#include "references/cli/commands.hpp"
+#include "references/cli/bounds_options.hpp"
 #include "references/cli/compare_report.hpp"
 #include "references/cli/metrics.hpp"
 #include "references/cli/options.hpp"
@@ -51,7 +51,7 @@ class Several {
  public:
   explicit Several(const CompareOptions& options)
       : options_(options),
-        bounds_(bounds_of(options.bounds, options.tolerance)),
+        bounds_(options.bounds),
         file_(references::directory_of(options.reference)),
         found_(references::pair_images(options.reference, options.test, masks())) {
     std::vector<std::string> names;
@@ -203,7 +203,7 @@ class Several {
             {"reference", options_.reference},
             {"test", options_.test},
             {"status", words[worst]},
-            {"tolerance", options_.tolerance},
+            {"tolerance", options_.bounds.limit.tolerance},
             {"no_images", found_.others},
             {"pairs", pairs}};
   }
@@ -231,7 +231,7 @@ class Several {
   }
 
   const CompareOptions& options_;
-  references::Bounds bounds_;
+  const references::Bounds& bounds_;
   references::BoundsFile file_;
   references::ImagePairs found_;
   std::size_t width_ = 0;

@@ -3,7 +3,6 @@
 
 #include <string>
 
-#include "references/cli/bounds_options.hpp"
 #include "references/cli/compare_pair.hpp"
 
 namespace plumb::cli {
@@ -15,8 +14,7 @@ struct CompareOptions {
   std::string junit;
   std::string report;
   std::string difference;  ///< a file, or of several pairs a directory
-  double tolerance = 1e-6;
-  BoundsOptions bounds;
+  references::Bounds bounds;
   PairOptions pair;
 
   /// Whether the results are told on standard output as text.

@@ -19,71 +19,88 @@ std::string absolute_if_file(const std::string& word) {
   return is_path ? fs::absolute(word).lexically_normal().string() : word;
 }
 
-std::vector<std::string> words_of(const std::string& renderer) {
-  std::vector<std::string> words = references::split_command(renderer);
-  const std::string program = words.front();
+}  // namespace
+
+Table limit_options(ConfinedOptions& options, const std::string& timeout) {
+  return {{"--timeout", &options.timeout, timeout, {.shows_default = true, .range = within(0.1, 86400.0)}},
+          {"--cpu",
+           &options.cpu,
+           "seconds of CPU time of all its processes",
+           {.shows_default = true, .range = within(0.1, 86400.0)}},
+          {"--memory",
+           &options.memory_mib,
+           "MiB of all its processes",
+           {.shows_default = true, .range = within(16, 1 << 20)}},
+          {"--disk",
+           &options.disk_mib,
+           "MiB of the files that it writes, and as many of what it prints",
+           {.shows_default = true, .range = within(1, 1 << 20)}},
+          {"--processes",
+           &options.processes,
+           "processes at once",
+           {.shows_default = true, .range = within(3, 10000)}}};
+}
+
+references::SandboxLimits limits_of(const ConfinedOptions& options) {
+  references::SandboxLimits limits;
+  limits.wall_seconds = options.timeout;
+  limits.cpu_seconds = options.cpu;
+  limits.memory_bytes = options.memory_mib * mebibyte;
+  limits.disk_bytes = options.disk_mib * mebibyte;
+  limits.processes = options.processes;
+  return limits;
+}
+
+std::vector<std::string> readable_paths(const ConfinedOptions& options) {
+  std::vector<std::string> paths;
+  for (const std::string& path : options.readable) {
+    if (!fs::exists(path)) throw std::invalid_argument("--readable: found no " + path);
+    paths.push_back(fs::canonical(path).string());
+  }
+  return paths;
+}
+
+std::vector<std::string> renderer_words(const ConfinedOptions& options) {
+  std::vector<std::string> words = references::split_command(options.renderer);
   for (std::string& word : words) word = absolute_if_file(word);
-  const std::string found =
-      program.find('/') == std::string::npos ? references::find_program(program) : words.front();
-  if (found.empty() || !fs::exists(found))
-    throw std::invalid_argument("--renderer: found no program `" + program + "`");
-  words.front() = found;
   return words;
 }
 
-}  // namespace
+std::string found_program(const std::string& asked, const std::string& path) {
+  const std::string found = asked.find('/') == std::string::npos ? references::find_program(asked) : path;
+  if (found.empty() || !fs::exists(found))
+    throw std::invalid_argument("--renderer: found no program `" + asked + "`");
+  return found;
+}
 
-CLI::Option* add_confined(CLI::App& app, ConfinedOptions& options) {
-  CLI::Option* const renderer =
-      app.add_option(
-             "--renderer", options.renderer,
-             "gate this renderer in place of plumb: its command, run confined, with {scene} and {image} "
-             "for paths, no shell; {image} is the file that the scene's render line names")
-          ->type_name("CMD");
-  app.add_option("--readable", options.readable,
-                 "what the renderer may read though it lies in a hidden place")
-      ->type_name("PATH")
-      ->needs(renderer);
-  app.add_option("--timeout", options.timeout, "seconds that the renderer may take for a scene")
-      ->check(CLI::Range(0.1, 86400.0))
-      ->capture_default_str()
-      ->needs(renderer);
-  app.add_option("--cpu", options.cpu, "seconds of CPU time of all its processes")
-      ->check(CLI::Range(0.1, 86400.0))
-      ->capture_default_str()
-      ->needs(renderer);
-  app.add_option("--memory", options.memory_mib, "MiB of all its processes")
-      ->check(CLI::Range(16, 1 << 20))
-      ->capture_default_str()
-      ->needs(renderer);
-  app.add_option("--disk", options.disk_mib, "MiB of the files that it writes, and as many of what it prints")
-      ->check(CLI::Range(1, 1 << 20))
-      ->capture_default_str()
-      ->needs(renderer);
-  app.add_option("--processes", options.processes, "processes at once")
-      ->check(CLI::Range(3, 10000))
-      ->capture_default_str()
-      ->needs(renderer);
-  return renderer;
+Table confined_options(ConfinedOptions& options) {
+  Table rest = joined({{{"--readable",
+                         &options.readable,
+                         "what the renderer may read though it lies in a hidden place",
+                         {.value = "PATH"}}},
+                       limit_options(options, "seconds that the renderer may take for a scene")});
+  for (Option& each : rest) each.rules.needs.push_back("--renderer");
+  return joined(
+      {{{"--renderer",
+         &options.renderer,
+         "gate this renderer in place of plumb: its command, run confined, with {scene} and {image} "
+         "for paths, no shell; {image} is the file that the scene's render line names",
+         {.value = "CMD"}}},
+       rest});
 }
 
 references::ConfinedCommand confined_command(const ConfinedOptions& options) {
   references::ConfinedCommand command;
-  command.words = words_of(options.renderer);
+  command.words = renderer_words(options);
+  command.words.front() =
+      found_program(references::split_command(options.renderer).front(), command.words.front());
   for (const char* const name : {"scene", "image"}) {
     if (references::mentions(command.words, name)) continue;
     throw std::invalid_argument("--renderer: found no {" + std::string(name) + "} in `" + options.renderer +
                                 "`, expected e.g. 'my-tracer {scene} {image}'");
   }
-  for (const std::string& path : options.readable) {
-    if (!fs::exists(path)) throw std::invalid_argument("--readable: found no " + path);
-    command.readable.push_back(fs::canonical(path).string());
-  }
-  command.limits.wall_seconds = options.timeout;
-  command.limits.cpu_seconds = options.cpu;
-  command.limits.memory_bytes = options.memory_mib * mebibyte;
-  command.limits.disk_bytes = options.disk_mib * mebibyte;
-  command.limits.processes = options.processes;
+  command.readable = readable_paths(options);
+  command.limits = limits_of(options);
   return command;
 }
 

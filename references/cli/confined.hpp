@@ -1,10 +1,10 @@
 // The command line of somebody else's renderer, and the limits under which it runs.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 
+#include "references/cli/command_line.hpp"
 #include "references/submissions/other_renderer.hpp"
 
 namespace plumb::cli {
@@ -16,8 +16,21 @@ struct ConfinedOptions {
   double timeout = 10, cpu = 20;
 };
 
-/// --renderer, --readable and the limits; these return the first.
-CLI::Option* add_confined(CLI::App& app, ConfinedOptions& options);
+/// --timeout, whose purpose is given, --cpu --memory --disk --processes
+Table limit_options(ConfinedOptions& options, const std::string& timeout);
+references::SandboxLimits limits_of(const ConfinedOptions& options);
+
+/// The paths as they are seen from everywhere. Throws std::invalid_argument when there is no such file.
+std::vector<std::string> readable_paths(const ConfinedOptions& options);
+
+/// The words of --renderer; those that name files from here name them from everywhere.
+std::vector<std::string> renderer_words(const ConfinedOptions& options);
+
+/// The path of a program that --renderer names. Throws std::invalid_argument when there is none.
+std::string found_program(const std::string& asked, const std::string& path);
+
+/// --renderer, --readable and the limits, for regress.
+Table confined_options(ConfinedOptions& options);
 
 /// Throws std::invalid_argument when there is no such program, or no {scene} or {image} in its arguments.
 references::ConfinedCommand confined_command(const ConfinedOptions& options);

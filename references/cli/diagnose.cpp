@@ -30,7 +30,7 @@ struct Options {
   std::string report;
   int hint = 3;
   std::optional<double> tolerance;
-  SceneOptions common;
+  references::PictureOptions picture;
 };
 
 std::string text_of(std::string_view view) { return std::string(view); }
@@ -185,7 +185,7 @@ std::string size_text(int width, int height) { return std::to_string(width) + "x
 void check_size(const Options& options, const PixelRows& seen, const references::Size& asked) {
   if (seen.width == asked.width && seen.height == asked.height) return;
   const std::string found = size_text(seen.width, seen.height), wanted = size_text(asked.width, asked.height);
-  const bool is_scenes = options.common.size.empty();
+  const bool is_scenes = !options.picture.size;
   if (is_scenes && std::int64_t{seen.width} * asked.height == std::int64_t{seen.height} * asked.width)
     return warn(options.image + ": " + found + " pixels show the view of the " + wanted + " that " +
                 options.scene + " asks for");
@@ -197,8 +197,8 @@ void check_size(const Options& options, const PixelRows& seen, const references:
 
 int run_diagnose(const Options& options) {
   check_order(options);
-  const Scene scene = load_scene(options.scene, dialect_of(options.common), warn);
-  const View view = view_of(scene, options.common);
+  const Scene scene = load_scene(options.scene, options.picture.dialect, warn);
+  const View view = view_of(scene, options.picture);
   const PixelRows rows = open_image(options.image);
   if (const auto complaint = references::complaint_about_contents(rows))
     throw std::invalid_argument(options.image + ": " + references::printable(*complaint));
@@ -209,7 +209,7 @@ int run_diagnose(const Options& options) {
   RenderJob job;
   job.width = seen.width;
   job.height = seen.height;
-  job.options = render_options_of(options.common);
+  job.options = options.picture.render;
   const references::Diagnosis diagnosis =
       references::diagnose(scene, view.camera, job, seen, options.tolerance);
   const auto tell_apart = options.hint == 3 ? scenes_that_tell_apart(diagnosis) : std::vector<TellApart>{};
@@ -228,35 +228,35 @@ int run_diagnose(const Options& options) {
 
 }  // namespace
 
-Command add_diagnose(CLI::App& plumb) {
-  CLI::App* app = plumb.add_subcommand(
-      "diagnose", "Find the mistakes in a ray tracer from the picture that it made of a scene.");
+Command diagnose_command() {
   auto options = std::make_shared<Options>();
-  app->add_option("SCENE", options->scene, "scene file")->required();
-  app->add_option("IMAGE", options->image, "the picture that the tracer made of it")->required();
-  app->add_option("--hint", options->hint, "how much is told: 1 the slide, 2 the mistake, 3 the formula, too")
-      ->type_name("LEVEL")
-      ->check(CLI::Range(1, 3))
-      ->capture_default_str();
-  app->add_option("--tolerance", options->tolerance,
-                  "what a colour of a picture of floats may be off by, relative above 1 (without it 1e-6, or "
-                  "what float32 is off by there, measured); by how much more, in shares of 1, the levels of "
-                  "integers may be off (without it by none)")
-      ->type_name("T")
-      ->check(CLI::Range(0.0, 1.0));
-  app->add_option("--json", options->json, "write the result as JSON; - is standard output")
-      ->type_name("FILE");
-  app->add_option("--report", options->report,
-                  "write a page with the pictures and each mistake to DIR/diagnose.html")
-      ->type_name("DIR");
-  add_scene_options(*app, options->common);
-  app->footer(
-      "Example: plumb diagnose tests/scenes/phong.sdf phong.ppm\n"
-      "Right is a picture of which every pixel is within what its file can hold, or proven to lie on an "
-      "edge.\n"
-      "Exit codes: 0 the picture is right; 1 faults explain it, or a part, or it is right apart from a few\n"
-      "pixels; 2 trouble; 3 nothing explains it.");
-  return {app, [options] { return run_diagnose(*options); }};
+  return {
+      .name = "diagnose",
+      .purpose = "Find the mistakes in a ray tracer from the picture that it made of a scene.",
+      .footer =
+          "Example: plumb diagnose tests/scenes/phong.sdf phong.ppm\n"
+          "Right is a picture of which every pixel is within what its file can hold, or proven to lie on an "
+          "edge.\n"
+          "Exit codes: 0 the picture is right; 1 faults explain it, or a part, or it is right apart from a "
+          "few\n"
+          "pixels; 2 trouble; 3 nothing explains it.",
+      .options = joined(
+          {{{"SCENE", &options->scene, "scene file", {.is_required = true}},
+            {"IMAGE", &options->image, "the picture that the tracer made of it", {.is_required = true}},
+            hint_option(options->hint),
+            {"--tolerance",
+             &options->tolerance,
+             "what a colour of a picture of floats may be off by, relative above 1 (without it 1e-6, or "
+             "what float32 is off by there, measured); by how much more, in shares of 1, the levels of "
+             "integers may be off (without it by none)",
+             {.value = "T", .range = within(0.0, 1.0)}},
+            output_option("--json", options->json, "write the result as JSON"),
+            {"--report",
+             &options->report,
+             "write a page with the pictures and each mistake to DIR/diagnose.html",
+             {.value = "DIR"}}},
+           scene_options(options->picture)}),
+      .run = [options](auto&) { return run_diagnose(*options); }};
 }
 
 }  // namespace plumb::cli

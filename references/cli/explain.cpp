@@ -22,7 +22,7 @@ struct Options {
   int y = 0;
   bool stored = false;
   std::string json;
-  SceneOptions common;
+  references::PictureOptions picture;
 };
 
 /// The reference's colour of the pixel, or why there is none.
@@ -38,7 +38,7 @@ ReferencePixel reference_pixel(const Options& options, const Scene& scene, const
   try {
     const references::ReferenceSource source(options.stored);
     const auto exported = exporters::export_povray(scene, view.camera, view.size.width, view.size.height,
-                                                   render_options_of(options.common));
+                                                   options.picture.render);
     references::PovrayJob job{exported.text, view.size.width, view.size.height, exported.needs_flat_objects};
     if (is_cut) job.time_limit_seconds = time_limit_when_cut_seconds;
     const Image image = source.picture(job).image;
@@ -71,7 +71,7 @@ std::optional<Rgbd> engine_pixel(const Options& options, const Scene& scene, con
   RenderJob job;
   job.width = view.size.width;
   job.height = view.size.height;
-  job.options = render_options_of(options.common);
+  job.options = options.picture.render;
   const Image image = references::render(references::Renderer::engine, scene, view.camera, job);
   const float* const p = image.pixel(options.x, options.y);
   return Rgbd(p[0], p[1], p[2]);
@@ -117,7 +117,7 @@ Json to_json(const Options& options, const Scene& scene, const View& view, const
 }
 
 View view_with_pixel(const Scene& scene, const Options& options) {
-  const View view = view_of(scene, options.common);
+  const View view = view_of(scene, options.picture);
   if (options.x < view.size.width && options.y < view.size.height) return view;
   throw std::invalid_argument("found pixel " + std::to_string(options.x) + " " + std::to_string(options.y) +
                               ", expected one of the picture, " + std::to_string(view.size.width) + " x " +
@@ -125,10 +125,10 @@ View view_with_pixel(const Scene& scene, const Options& options) {
 }
 
 int run_explain(const Options& options) {
-  const Scene scene = load_scene(options.scene, dialect_of(options.common), warn);
+  const Scene scene = load_scene(options.scene, options.picture.dialect, warn);
   const View view = view_with_pixel(scene, options);
   const references::TreeTracer tracer(scene, view.camera, view.size.width, view.size.height,
-                                      render_options_of(options.common));
+                                      options.picture.render);
   const references::RayNode tree = tracer.tree_of(options.x, options.y);
   const bool prints = options.json != "-";
   if (prints) print_tree(options, scene, view, tree);
@@ -146,23 +146,25 @@ int run_explain(const Options& options) {
 
 }  // namespace
 
-Command add_explain(CLI::App& plumb) {
-  CLI::App* app = plumb.add_subcommand(
-      "explain", "Print the rays of one pixel: what each meets, every term of every light, and the sum.");
+Command explain_command() {
   auto options = std::make_shared<Options>();
-  app->add_option("SCENE", options->scene, "scene file")->required();
-  app->add_option("X", options->x, "column, counted from 0")->required()->check(CLI::Range(0, 65534));
-  app->add_option("Y", options->y, "row, counted from 0, row 0 on top")
-      ->required()
-      ->check(CLI::Range(0, 65534));
-  app->add_flag("--stored", options->stored, "take the reference's value from the stored images");
-  app->add_option("--json", options->json, "write the ray tree as JSON; - is standard output")
-      ->type_name("FILE");
-  add_scene_options(*app, options->common);
-  app->footer(
-      "Example: plumb explain tests/scenes/mirror.sdf 80 60\n"
-      "Points and lengths are in world space. Exit codes: 0 explained, 2 trouble.");
-  return {app, [options] { return run_explain(*options); }};
+  return {
+      .name = "explain",
+      .purpose = "Print the rays of one pixel: what each meets, every term of every light, and the sum.",
+      .footer =
+          "Example: plumb explain tests/scenes/mirror.sdf 80 60\n"
+          "Points and lengths are in world space. Exit codes: 0 explained, 2 trouble.",
+      .options = joined(
+          {{{"SCENE", &options->scene, "scene file", {.is_required = true}},
+            {"X", &options->x, "column, counted from 0", {.is_required = true, .range = within(0, 65534)}},
+            {"Y",
+             &options->y,
+             "row, counted from 0, row 0 on top",
+             {.is_required = true, .range = within(0, 65534)}},
+            {"--stored", &options->stored, "take the reference's value from the stored images"},
+            output_option("--json", options->json, "write the ray tree as JSON")},
+           scene_options(options->picture)}),
+      .run = [options](auto&) { return run_explain(*options); }};
 }
 
 }  // namespace plumb::cli

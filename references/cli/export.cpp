@@ -13,11 +13,14 @@
 namespace plumb::cli {
 namespace {
 
+enum class Target { povray };
+constexpr Word<Target> targets[] = {{"povray", Target::povray}};
+
 struct Options {
   std::string scene;
-  std::string to = "povray";
+  Target to = Target::povray;
   std::string file = "-";
-  SceneOptions common;
+  references::PictureOptions picture;
 };
 
 /// A file for POV-Ray's command line, which wants a name with blanks in quotes of its own. A control
@@ -48,10 +51,10 @@ std::string head(const Options& options, const references::PovrayJob& job) {
 }
 
 int run_export(const Options& options) {
-  const Scene scene = load_scene(options.scene, dialect_of(options.common), warn);
-  const View view = view_of(scene, options.common);
-  const auto exported = exporters::export_povray(scene, view.camera, view.size.width, view.size.height,
-                                                 render_options_of(options.common));
+  const Scene scene = load_scene(options.scene, options.picture.dialect, warn);
+  const View view = view_of(scene, options.picture);
+  const auto exported =
+      exporters::export_povray(scene, view.camera, view.size.width, view.size.height, options.picture.render);
   if (exported.needs_flat_objects)
     warn("the eye is inside glass, or surfaces coincide: run POV-Ray with -MB");
   const references::PovrayJob job{exported.text, view.size.width, view.size.height,
@@ -62,23 +65,24 @@ int run_export(const Options& options) {
 
 }  // namespace
 
-Command add_export(CLI::App& plumb) {
-  CLI::App* app = plumb.add_subcommand("export", "Write the equivalent scene of a reference renderer.");
+Command export_command() {
   auto options = std::make_shared<Options>();
-  app->add_option("SCENE", options->scene, "scene file")->required();
-  app->add_option("--to", options->to, "reference renderer")
-      ->check(CLI::IsMember({"povray"}))
-      ->capture_default_str();
-  app->add_option("-o,--output", options->file, "file; - is standard output")
-      ->type_name("FILE")
-      ->capture_default_str();
-  add_scene_options(*app, options->common);
-  app->footer(
-      "Example: plumb export tests/scenes/phong.sdf -o phong.pov\n"
-      "The first line is a comment with the command that renders the file; the SHA-256 of the stored "
-      "reference\n"
-      "images is that of all lines behind it: plumb export SCENE | tail -n +2 | sha256sum");
-  return {app, [options] { return run_export(*options); }};
+  return {.name = "export",
+          .purpose = "Write the equivalent scene of a reference renderer.",
+          .footer =
+              "Example: plumb export tests/scenes/phong.sdf -o phong.pov\n"
+              "The first line is a comment with the command that renders the file; the SHA-256 of the stored "
+              "reference\n"
+              "images is that of all lines behind it: plumb export SCENE | tail -n +2 | sha256sum",
+          .options =
+              joined({{{"SCENE", &options->scene, "scene file", {.is_required = true}},
+                       {"--to", one_of(options->to, targets), "reference renderer", {.shows_default = true}},
+                       {"-o,--output",
+                        &options->file,
+                        "file; - is standard output",
+                        {.value = "FILE", .shows_default = true}}},
+                      scene_options(options->picture)}),
+          .run = [options](auto&) { return run_export(*options); }};
 }
 
 }  // namespace plumb::cli

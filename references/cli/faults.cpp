@@ -128,22 +128,26 @@ std::vector<const references::Fault*> faults_named(const std::string& ids) {
   return faults;
 }
 
-Command add_faults(CLI::App& plumb) {
-  CLI::App* app = plumb.add_subcommand(
-      "faults", "List the mistakes that real ray tracers contain, each with the formula that it gets wrong.");
+Command faults_command() {
   auto options = std::make_shared<Options>();
-  app->add_option("--json", options->json, "write the list as JSON; - is standard output")->type_name("FILE");
-  app->add_option("--corpus", options->corpus,
-                  "print which scenes of this directory show which fault, and the fewest that tell all apart")
-      ->type_name("DIR");
-  app->add_option("--report", options->report,
-                  "write a page with both formulas and a pair of pictures for each fault")
-      ->type_name("DIR");
-  app->footer(
-      "Example: plumb faults --corpus tests/scenes > tests/scenes/TEACHING.md\n"
-      "The number is that of the catalogue's entry; then the slide, and how many of the tracers whose source "
-      "was read have it.\nExit codes: 0 done, 2 trouble.");
-  return {app, [options] { return run_faults(*options); }};
+  return {
+      .name = "faults",
+      .purpose = "List the mistakes that real ray tracers contain, each with the formula that it gets wrong.",
+      .footer =
+          "Example: plumb faults --corpus tests/scenes > tests/scenes/TEACHING.md\n"
+          "The number is that of the catalogue's entry; then the slide, and how many of the tracers whose "
+          "source was read have it.\nExit codes: 0 done, 2 trouble.",
+      .options = {output_option("--json", options->json, "write the list as JSON"),
+                  {"--corpus",
+                   &options->corpus,
+                   "print which scenes of this directory show which fault, and the fewest that tell all "
+                   "apart",
+                   {.value = "DIR"}},
+                  {"--report",
+                   &options->report,
+                   "write a page with both formulas and a pair of pictures for each fault",
+                   {.value = "DIR"}}},
+      .run = [options](auto&) { return run_faults(*options); }};
 }
 
 }  // namespace plumb::cli

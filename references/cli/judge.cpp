@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "references/cli/commands.hpp"
+#include "references/cli/confined.hpp"
 #include "references/cli/judge_outputs.hpp"
 #include "references/cli/options.hpp"
 #include "references/cli/progress.hpp"
@@ -15,60 +16,31 @@
 #include "references/submissions/interrupts.hpp"
 #include "references/submissions/shown_text.hpp"
 #include "references/submissions/shuffle.hpp"
-#include "references/system/process.hpp"
 
 namespace plumb::cli {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr std::size_t mebibyte = std::size_t{1} << 20;
 
 struct Options {
-  std::string renderer, submissions, images, scenes;
-  std::vector<std::string> readable;
+  std::string submissions, images, scenes;
   std::optional<std::uint64_t> shuffle;
-  std::size_t memory_mib = 2048, disk_mib = 64, processes = 64;
-  double timeout = 10, cpu = 20;
-  int jobs = 2;
-  std::optional<double> tolerance;
+  ConfinedOptions confined;
   JudgeOutputs outputs;
-  SceneOptions common;
+  references::JudgeOptions judge;
 };
 
-/// Programs run elsewhere, so what names a file from here does it from everywhere.
-std::string absolute_if_file(const std::string& word) {
-  if (word.starts_with("/") || word.find('{') != std::string::npos) return word;
-  const bool is_path = word.find('/') != std::string::npos ? fs::exists(word) : fs::is_regular_file(word);
-  return is_path ? fs::absolute(word).lexically_normal().string() : word;
-}
-
-std::vector<std::string> command_of(const std::string& renderer) {
-  std::vector<std::string> command = references::split_command(renderer);
-  for (std::string& word : command) word = absolute_if_file(word);
+std::vector<std::string> command_of(const ConfinedOptions& options) {
+  std::vector<std::string> command = renderer_words(options);
   std::string& program = command.front();
-  if (program.find('{') != std::string::npos) return command;
-  const std::string found =
-      program.find('/') == std::string::npos ? references::find_program(program) : program;
-  if (found.empty() || !fs::exists(found))
-    throw std::invalid_argument("--renderer: found no program `" + program + "`");
-  program = found;
+  if (program.find('{') == std::string::npos) program = found_program(program, program);
   return command;
 }
 
-references::SandboxLimits limits_of(const Options& options) {
-  references::SandboxLimits limits;
-  limits.wall_seconds = options.timeout;
-  limits.cpu_seconds = options.cpu;
-  limits.memory_bytes = options.memory_mib * mebibyte;
-  limits.disk_bytes = options.disk_mib * mebibyte;
-  limits.processes = options.processes;
-  return limits;
-}
-
 void set_command(const Options& options, references::JudgeOptions& judge) {
-  judge.command = command_of(options.renderer);
+  judge.command = command_of(options.confined);
   if (!references::mentions(judge.command, "scene"))
-    throw std::invalid_argument("--renderer: found no {scene} in `" + options.renderer +
+    throw std::invalid_argument("--renderer: found no {scene} in `" + options.confined.renderer +
                                 "`, expected e.g. 'my-tracer {scene} {image}'");
   if (references::mentions(judge.command, "submission") == options.submissions.empty())
     throw std::invalid_argument(
@@ -78,21 +50,14 @@ void set_command(const Options& options, references::JudgeOptions& judge) {
     judge.submissions_directory = fs::weakly_canonical(options.submissions).string();
 }
 
-references::JudgeOptions judge_options(const Options& options) {
-  references::JudgeOptions judge;
-  if (!options.renderer.empty()) set_command(options, judge);
-  for (const std::string& path : options.readable) {
-    if (!fs::exists(path)) throw std::invalid_argument("--readable: found no " + path);
-    judge.readable.push_back(fs::canonical(path).string());
-  }
-  judge.limits = limits_of(options);
-  judge.jobs = options.jobs;
+/// What no option says by itself.
+void complete(Options& options) {
+  references::JudgeOptions& judge = options.judge;
+  if (!options.confined.renderer.empty()) set_command(options, judge);
+  judge.readable = readable_paths(options.confined);
+  judge.limits = limits_of(options.confined);
   judge.results = places_of_results(options.outputs);
   judge.keeps_pictures = !options.outputs.report.empty();
-  judge.dialect = dialect_of(options.common);
-  judge.render = render_options_of(options.common);
-  judge.tolerance = options.tolerance;
-  return judge;
 }
 
 /// A script that runs the submissions may lie among them.
@@ -120,18 +85,17 @@ std::vector<references::Submission> without_command(std::vector<references::Subm
   return all;
 }
 
-std::vector<references::Submission> submissions_of(const Options& options,
-                                                   const references::JudgeOptions& judge) {
+std::vector<references::Submission> submissions_of(const Options& options) {
   if (!options.images.empty()) return references::pictures_in(options.images);
   if (!options.submissions.empty())
-    return without_command(references::submissions_in(options.submissions), judge);
-  return {{options.renderer, ""}};
+    return without_command(references::submissions_in(options.submissions), options.judge);
+  return {{options.confined.renderer, ""}};
 }
 
 void check_options(const Options& options) {
-  if (options.renderer.empty() == options.images.empty())
+  if (options.confined.renderer.empty() == options.images.empty())
     throw std::invalid_argument("judge: --renderer or --images is required, and not both; see --help");
-  if (options.shuffle && options.renderer.empty())
+  if (options.shuffle && options.confined.renderer.empty())
     throw std::invalid_argument(
         "--shuffle: found --images, expected --renderer: pictures that are made already show the scenes as "
         "they are");
@@ -185,10 +149,11 @@ int exit_code_of(const std::vector<references::JudgedPicture>& all) {
   return std::all_of(all.begin(), all.end(), is_right) ? exit_agrees : exit_differs;
 }
 
-int run_judge(const Options& options) {
+int run_judge(Options& options) {
   check_options(options);
-  references::JudgeOptions judge = judge_options(options);
-  const auto submissions = submissions_of(options, judge);
+  complete(options);
+  references::JudgeOptions& judge = options.judge;
+  const auto submissions = submissions_of(options);
   auto scenes = references::scenes_to_judge(options.scenes, judge.dialect);
   references::RunFacts facts = shuffle(options, judge.dialect, scenes);
   if (!judge.command.empty()) facts.not_enforced = references::limits_not_enforced();
@@ -215,87 +180,81 @@ int run_judge(const Options& options) {
   return code;
 }
 
-/// The parser would take -1 and wrap what is too large.
-std::string complaint_about_seed(const std::string& text) {
+/// Nothing for what is negative or too large, which the parser would wrap.
+std::optional<std::uint64_t> seed_of(const std::string& text) {
   std::uint64_t seed = 0;
   const char* const end = text.data() + text.size();
   const auto read = std::from_chars(text.data(), end, seed);
-  if (read.ec == std::errc() && read.ptr == end) return {};
-  return "found " + text + ", expected a whole number from 0 to 18446744073709551615";
+  if (read.ec == std::errc() && read.ptr == end) return seed;
+  return std::nullopt;
 }
 
-void add_what(CLI::App& app, Options& options) {
-  app.add_option("--renderer", options.renderer,
-                 "the tracer and its arguments; {scene}, {image} and {submission} stand for paths; no shell "
-                 "reads it")
-      ->type_name("CMD");
-  app.add_option("--submissions", options.submissions, "a class: each entry of it is one {submission}")
-      ->type_name("DIR");
-  app.add_option("--images", options.images, "pictures only: DIR/SCENE.ppm, or DIR/SUBMISSION/SCENE.ppm")
-      ->type_name("DIR");
-  app.add_option("--scenes", options.scenes, "the scenes, *.sdf; default: plumb's own")->type_name("DIR");
-  app.add_option(
-         "--shuffle", options.shuffle,
-         "vary positions, sizes, colours and names in the scenes, the same for the same SEED, so that "
-         "they show the same faults and nobody has seen their pictures")
-      ->type_name("SEED")
-      ->check(CLI::Validator(complaint_about_seed, "", "seed"));
-  app.add_option("--readable", options.readable,
-                 "what the tracer may read beside the system's directories and its own; plumb itself stays "
-                 "hidden there")
-      ->type_name("PATH");
+Table what_options(Options& options) {
+  const auto complaint = [](const std::string& text) {
+    return seed_of(text) ? "" : "found " + text + ", expected a whole number from 0 to 18446744073709551615";
+  };
+  return {{"--renderer",
+           &options.confined.renderer,
+           "the tracer and its arguments; {scene}, {image} and {submission} stand for paths; no shell "
+           "reads it",
+           {.value = "CMD"}},
+          {"--submissions",
+           &options.submissions,
+           "a class: each entry of it is one {submission}",
+           {.value = "DIR"}},
+          {"--images",
+           &options.images,
+           "pictures only: DIR/SCENE.ppm, or DIR/SUBMISSION/SCENE.ppm",
+           {.value = "DIR"}},
+          {"--scenes", &options.scenes, "the scenes, *.sdf; default: plumb's own", {.value = "DIR"}},
+          {"--shuffle",
+           [&options](const std::string& text) { options.shuffle = seed_of(text); },
+           "vary positions, sizes, colours and names in the scenes, the same for the same SEED, so that "
+           "they show the same faults and nobody has seen their pictures",
+           {.value = "SEED", .complaint = complaint}},
+          {"--readable",
+           &options.confined.readable,
+           "what the tracer may read beside the system's directories and its own; plumb itself stays hidden "
+           "there",
+           {.value = "PATH"}}};
 }
 
-void add_limits(CLI::App& app, Options& options) {
-  app.add_option("--timeout", options.timeout, "seconds that a run may last")
-      ->check(CLI::Range(0.1, 86400.0))
-      ->capture_default_str();
-  app.add_option("--cpu", options.cpu, "seconds of CPU time of all its processes")
-      ->check(CLI::Range(0.1, 86400.0))
-      ->capture_default_str();
-  app.add_option("--memory", options.memory_mib, "MiB of all its processes")
-      ->check(CLI::Range(16, 1 << 20))
-      ->capture_default_str();
-  app.add_option("--disk", options.disk_mib, "MiB of the files that it writes, and as many of what it prints")
-      ->check(CLI::Range(1, 1 << 20))
-      ->capture_default_str();
-  app.add_option("--processes", options.processes, "processes at once")
-      ->check(CLI::Range(3, 10000))
-      ->capture_default_str();
+Table judge_options(references::JudgeOptions& judge) {
+  return {{"--jobs", &judge.jobs, "pictures at once", {.shows_default = true, .range = within(1, 256)}},
+          depth_option(judge.render.depth, "recursion depth of the right picture"),
+          {"--tolerance",
+           &judge.tolerance,
+           "what pictures may be off by, as in plumb diagnose",
+           {.value = "T", .range = within(0.0, 1.0)}},
+          dialect_option(judge.dialect, nullptr)};
 }
 
 }  // namespace
 
-Command add_judge(CLI::App& plumb) {
-  CLI::App* app = plumb.add_subcommand(
-      "judge", "Run other people's ray tracers, confined, and name the mistakes in their pictures.");
+Command judge_command() {
   auto options = std::make_shared<Options>();
-  add_what(*app, *options);
-  add_limits(*app, *options);
-  add_judge_outputs(*app, options->outputs);
-  app->add_option("--jobs", options->jobs, "pictures at once")
-      ->check(CLI::Range(1, 256))
-      ->capture_default_str();
-  app->add_option("--depth", options->common.depth, "recursion depth of the right picture")
-      ->check(CLI::Range(1, max_depth))
-      ->capture_default_str();
-  app->add_option("--tolerance", options->tolerance, "what pictures may be off by, as in plumb diagnose")
-      ->type_name("T")
-      ->check(CLI::Range(0.0, 1.0));
-  add_dialect(*app, options->common, false);
-  app->footer(
-      "Example: plumb judge --renderer 'my-tracer {scene} {image}' --report report\n"
-      "         plumb judge --renderer '{submission}/tracer {scene}' --submissions class --csv class.csv\n"
-      "         plumb judge --images pictures --scenes tests/scenes\n"
-      "The picture is {image}, or the file that the scene's render line names. Programs run in bubblewrap:\n"
-      "no network, nothing to write but a /tmp of their own, homes hidden. What a program does is a result.\n"
-      "Ctrl-C writes what is done; the same command goes on with the rest.\n"
-      "Verdicts: right; right-apart from a few pixels; faults that are known; unexplained; wrong-size;\n"
-      "no-image; unreadable; crashed; timed-out, too-much-cpu, too-much-memory, too-many-processes,\n"
-      "too-much-output: stopped at a limit; trouble: ours, it says nothing about the submission; "
-      "not-judged.\n"
-      "Exit codes: 0 all pictures are right, 1 some are not, 2 trouble, or not all were judged.");
-  return {app, [options] { return run_judge(*options); }};
+  return {
+      .name = "judge",
+      .purpose = "Run other people's ray tracers, confined, and name the mistakes in their pictures.",
+      .footer =
+          "Example: plumb judge --renderer 'my-tracer {scene} {image}' --report report\n"
+          "         plumb judge --renderer '{submission}/tracer {scene}' --submissions class --csv "
+          "class.csv\n"
+          "         plumb judge --images pictures --scenes tests/scenes\n"
+          "The picture is {image}, or the file that the scene's render line names. Programs run in "
+          "bubblewrap:\n"
+          "no network, nothing to write but a /tmp of their own, homes hidden. What a program does is a "
+          "result.\n"
+          "Ctrl-C writes what is done; the same command goes on with the rest.\n"
+          "Verdicts: right; right-apart from a few pixels; faults that are known; unexplained; wrong-size;\n"
+          "no-image; unreadable; crashed; timed-out, too-much-cpu, too-much-memory, too-many-processes,\n"
+          "too-much-output: stopped at a limit; trouble: ours, it says nothing about the submission; "
+          "not-judged.\n"
+          "Exit codes: 0 all pictures are right, 1 some are not, 2 trouble, or not all were judged.",
+      .options =
+          joined({what_options(*options), limit_options(options->confined, "seconds that a run may last"),
+                  judge_output_options(options->outputs), judge_options(options->judge)}),
+      .run = [options](auto&) { return run_judge(*options); }};
 }
 
 }  // namespace plumb::cli

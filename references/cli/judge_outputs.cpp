@@ -89,22 +89,17 @@ bool is_written(const std::string& file, const std::function<void()>& write) {
 
 }  // namespace
 
-void add_judge_outputs(CLI::App& app, JudgeOutputs& outputs) {
-  app.add_option("--hint", outputs.hint, "how much is told: 1 the slide, 2 the mistake, 3 the formula, too")
-      ->type_name("LEVEL")
-      ->check(CLI::Range(1, 3))
-      ->capture_default_str();
-  app.add_option("--json", outputs.json, "write the results as JSON; - is standard output")
-      ->type_name("FILE");
-  app.add_option("--csv", outputs.csv, "write a line per picture; - is standard output")->type_name("FILE");
-  app.add_option("--junit", outputs.junit, "write the results as JUnit XML; - is standard output")
-      ->type_name("FILE");
-  add_report(app, outputs.report);
-  app.add_option(
-         "--resume", outputs.resume,
-         "keep results here as they come; an interrupted run goes on from it, and judges anew what has "
-         "changed; default: DIR/judged.jsonl of the report, else beside the first FILE")
-      ->type_name("FILE");
+Table judge_output_options(JudgeOutputs& outputs) {
+  return {hint_option(outputs.hint),
+          output_option("--json", outputs.json, "write the results as JSON"),
+          output_option("--csv", outputs.csv, "write a line per picture"),
+          output_option("--junit", outputs.junit, "write the results as JUnit XML"),
+          report_option(outputs.report),
+          {"--resume",
+           &outputs.resume,
+           "keep results here as they come; an interrupted run goes on from it, and judges anew what has "
+           "changed; default: DIR/judged.jsonl of the report, else beside the first FILE",
+           {.value = "FILE"}}};
 }
 
 void check(const JudgeOutputs& outputs) {

@@ -1,11 +1,11 @@
 // Where `plumb judge` writes its results, and keeps them until then.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "references/cli/command_line.hpp"
 #include "references/submissions/overview.hpp"
 
 namespace plumb::cli {
@@ -17,7 +17,7 @@ struct JudgeOutputs {
 };
 
 /// --hint --report --json --csv --junit --resume
-void add_judge_outputs(CLI::App& app, JudgeOutputs& outputs);
+Table judge_output_options(JudgeOutputs& outputs);
 
 /// Throws std::invalid_argument when two go to standard output.
 void check(const JudgeOutputs& outputs);

@@ -15,7 +15,8 @@ namespace {
 struct Options {
   std::vector<std::string> scenes;
   std::string json;
-  SceneOptions common;
+  Dialect dialect;
+  std::string dialect_name;
 };
 
 struct Linted {
@@ -168,11 +169,10 @@ Json to_json(const Linted& linted) {
 }
 
 int run_lint(const Options& options) {
-  const Dialect dialect = dialect_of(options.common);
   Json scenes = Json::array();
   bool all_readable = true;
   for (const std::string& scene : options.scenes) {
-    const Linted linted = lint(scene, options.common.dialect, dialect);
+    const Linted linted = lint(scene, options.dialect_name, options.dialect);
     all_readable = all_readable && linted.is_readable();
     if (options.json != "-") print(linted);
     scenes.push_back(to_json(linted));
@@ -185,18 +185,17 @@ int run_lint(const Options& options) {
 
 }  // namespace
 
-Command add_lint(CLI::App& plumb) {
-  CLI::App* app = plumb.add_subcommand(
-      "lint", "Say all that is wrong with scene files, and which dialect would read them.");
+Command lint_command() {
   auto options = std::make_shared<Options>();
-  app->add_option("SCENE", options->scenes, "scene files")->required()->expected(-1);
-  app->add_option("--json", options->json, "write the findings as JSON; - is standard output")
-      ->type_name("FILE");
-  add_dialect(*app, options->common, true);
-  app->footer(
-      "Example: plumb lint tests/scenes/*.sdf\nExit codes: 0 all can be read (warnings allowed), 2 some "
-      "cannot.");
-  return {app, [options] { return run_lint(*options); }};
+  return {.name = "lint",
+          .purpose = "Say all that is wrong with scene files, and which dialect would read them.",
+          .footer =
+              "Example: plumb lint tests/scenes/*.sdf\nExit codes: 0 all can be read (warnings allowed), 2 "
+              "some cannot.",
+          .options = {{"SCENE", &options->scenes, "scene files", {.is_required = true}},
+                      output_option("--json", options->json, "write the findings as JSON"),
+                      dialect_option(options->dialect, &options->dialect_name, ":\n" + describe_dialects())},
+          .run = [options](auto&) { return run_lint(*options); }};
 }
 
 }  // namespace plumb::cli

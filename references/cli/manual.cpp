@@ -1,11 +1,13 @@
-#include "references/cli/manual.hpp"
+// Man pages and completions, made from the tables of the commands. For whoever packages plumb: no help lists
+// it.
 
-#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <memory>
-#include <sstream>
+#include <string>
+#include <vector>
 
+#include "references/cli/commands.hpp"
 #include "tracer/system/files.hpp"
 
 namespace plumb::cli {
@@ -28,43 +30,31 @@ struct CommandWords {
   std::vector<OptionWords> options;
 };
 
-/// What stands between the braces of a type like TEXT:{full,none}.
-std::vector<std::string> choices_in(const std::string& type) {
-  const std::size_t open = type.find(":{"), close = type.find('}', open);
-  std::vector<std::string> all;
-  if (open == std::string::npos || close == std::string::npos) return all;
-  std::istringstream list(type.substr(open + 2, close - open - 2));
-  for (std::string word; std::getline(list, word, ',');) all.push_back(word);
-  return all;
+OptionWords words_of(const Option& option) {
+  const Choice* const choice = std::get_if<Choice>(&option.place);
+  return {dashed_names(option),
+          value_name(option),
+          choice == nullptr ? std::vector<std::string>() : choice->words,
+          option.rules.is_required,
+          std::holds_alternative<std::vector<std::string>*>(option.place) || option.rules.is_repeatable,
+          default_text(option),
+          option.purpose};
 }
 
-OptionWords words_of(const CLI::Option& option) {
-  OptionWords words;
-  for (const std::string& name : option.get_snames()) words.names.push_back("-" + name);
-  for (const std::string& name : option.get_lnames()) words.names.push_back("--" + name);
-  const std::string type = option.get_type_name();
-  if (option.get_positional())
-    words.value = option.get_name();
-  else if (option.get_items_expected_max() > 0)
-    words.value = type.substr(0, type.find(':'));
-  words.choices = choices_in(type);
-  words.is_required = option.get_required();
-  words.takes_several = option.get_items_expected_max() > 1;
-  words.set_to = option.get_default_str();
-  words.description = option.get_description();
-  return words;
+OptionWords flag_words(std::vector<std::string> names, std::string description) {
+  return {std::move(names), "", {}, false, false, "", std::move(description)};
 }
 
-CommandWords words_of(const CLI::App& app) {
-  CommandWords words{app.get_name(), app.get_description(), app.get_footer(), {}};
-  for (const CLI::Option* option : app.get_options()) words.options.push_back(words_of(*option));
-  return words;
-}
+/// The parser adds it to every command.
+OptionWords help() { return flag_words({"-h", "--help"}, "Print this help message and exit"); }
 
-std::vector<CommandWords> commands_of(const CLI::App& plumb) {
+std::vector<CommandWords> commands_of(const Program& plumb) {
   std::vector<CommandWords> all;
-  for (const CLI::App* app : plumb.get_subcommands({}))
-    if (!app->get_group().empty()) all.push_back(words_of(*app));
+  for (const Command& command : plumb.commands) {
+    if (command.is_hidden) continue;
+    all.push_back({command.name, command.purpose, command.footer, {help()}});
+    for (const Option& option : command.options) all.back().options.push_back(words_of(option));
+  }
   return all;
 }
 
@@ -223,11 +213,13 @@ std::string fish(const std::vector<CommandWords>& commands) {
   return text;
 }
 
-int write_all(const CLI::App& plumb, const std::string& directory) {
+int write_all(const Program& plumb, const std::string& directory) {
   const std::vector<CommandWords> commands = commands_of(plumb);
-  CommandWords itself = words_of(plumb);
-  itself.name.clear();  // the library has the path of the program there
-  itself.purpose = "tell whether a ray tracer is right, and if not, which formula is wrong";
+  const CommandWords itself{
+      "",
+      "tell whether a ray tracer is right, and if not, which formula is wrong",
+      plumb.footer,
+      {help(), flag_words({"--version"}, "Display program version information and exit")}};
   fs::create_directories(directory + "/man1");
   fs::create_directories(directory + "/completions");
   write_file(directory + "/man1/plumb.1", man_page("plumb", itself, commands));
@@ -242,13 +234,18 @@ int write_all(const CLI::App& plumb, const std::string& directory) {
 
 }  // namespace
 
-Command add_manual(CLI::App& plumb) {
-  CLI::App* app =
-      plumb.add_subcommand("manual", "Write man pages and completions to a directory.")->group("");
+/// Writes man1/plumb*.1, completions/plumb.bash, completions/_plumb (zsh) and completions/plumb.fish.
+Command manual_command() {
   auto directory = std::make_shared<std::string>();
-  app->add_option("directory", *directory, "where they are written")->type_name("DIR")->required();
-  app->footer("Example: plumb manual build/manual\nExit codes: 0 written, 2 trouble.");
-  return {app, [&plumb, directory] { return write_all(plumb, *directory); }};
+  return {.name = "manual",
+          .purpose = "Write man pages and completions to a directory.",
+          .footer = "Example: plumb manual build/manual\nExit codes: 0 written, 2 trouble.",
+          .options = {{"directory",
+                       directory.get(),
+                       "where they are written",
+                       {.value = "DIR", .is_required = true}}},
+          .run = [directory](const Request& request) { return write_all(*request.program, *directory); },
+          .is_hidden = true};
 }
 
 }  // namespace plumb::cli

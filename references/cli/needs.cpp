@@ -17,7 +17,7 @@ struct Options {
   std::string scene;
   std::string json;
   double error = 1e-6;
-  SceneOptions common;
+  references::PictureOptions picture;
 };
 
 RenderJob job_of(const Options& options, const references::Size& size) {
@@ -29,13 +29,13 @@ RenderJob job_of(const Options& options, const references::Size& size) {
   RenderJob job;
   job.width = size.width;
   job.height = size.height;
-  job.options = render_options_of(options.common);
+  job.options = options.picture.render;
   return job;
 }
 
 int run_needs(const Options& options) {
-  const Scene scene = load_scene(options.scene, dialect_of(options.common), warn);
-  const View view = view_of(scene, options.common);
+  const Scene scene = load_scene(options.scene, options.picture.dialect, warn);
+  const View view = view_of(scene, options.picture);
   RenderJob job = job_of(options, view.size);
   Progress progress("looking at " + options.scene);
   job.progress = [&](double fraction) { progress.show(fraction); };
@@ -50,21 +50,24 @@ int run_needs(const Options& options) {
 
 }  // namespace
 
-Command add_needs(CLI::App& plumb) {
-  CLI::App* app = plumb.add_subcommand(
-      "needs",
-      "List what a scene's picture needs: features, real type, depth, objects; and what each costs.");
+Command needs_command() {
   auto options = std::make_shared<Options>();
-  app->add_option("SCENE", options->scene, "scene file")->required();
-  add_error(*app, options->error, "largest error of a linear component, relative above 1, that is to be kept")
-      ->capture_default_str();
-  app->add_option("--json", options->json, "write the same as JSON; - is standard output")->type_name("FILE");
-  add_scene_options(*app, options->common);
-  app->footer(
-      "Example: plumb needs tests/scenes/combined-still-life.sdf\n"
-      "Errors are measured, against 113 bits on some pixels: it is said on how many. plumb render --error E\n"
-      "picks the cheapest of what suffices. Exit codes: 0 listed, 2 trouble.");
-  return {app, [options] { return run_needs(*options); }};
+  return {.name = "needs",
+          .purpose =
+              "List what a scene's picture needs: features, real type, depth, objects; and what each costs.",
+          .footer =
+              "Example: plumb needs tests/scenes/combined-still-life.sdf\n"
+              "Errors are measured, against 113 bits on some pixels: it is said on how many. plumb render "
+              "--error "
+              "E\npicks the cheapest of what suffices. Exit codes: 0 listed, 2 trouble.",
+          .options = joined(
+              {{{"SCENE", &options->scene, "scene file", {.is_required = true}},
+                error_option(options->error,
+                             "largest error of a linear component, relative above 1, that is to be kept",
+                             {.shows_default = true}),
+                output_option("--json", options->json, "write the same as JSON")},
+               scene_options(options->picture)}),
+          .run = [options](auto&) { return run_needs(*options); }};
 }
 
 }  // namespace plumb::cli

@@ -14,8 +14,20 @@
 namespace plumb::cli {
 namespace {
 
+using references::PictureOptions;
+using references::Size;
+
 constexpr int largest_side = 65535;
 constexpr double most_pixels = 1 << 28;
+
+constexpr Word<GlassShadow> glass_shadows[] = {
+    {"full", GlassShadow::full}, {"none", GlassShadow::none}, {"filtered", GlassShadow::filtered}};
+constexpr Word<RealType> real_types[] = {{"float", RealType::float32},
+                                         {"double", RealType::float64},
+                                         {"long-double", RealType::long_double},
+                                         {"quad", RealType::quad}};
+constexpr Word<references::Renderer> tracers[] = {{"textbook", references::Renderer::textbook},
+                                                  {"engine", references::Renderer::engine}};
 
 std::optional<int> whole_number(std::string_view text) {
   int value = 0;
@@ -24,145 +36,140 @@ std::optional<int> whole_number(std::string_view text) {
   return value;
 }
 
-}  // namespace
-
-void add_dialect(CLI::App& app, SceneOptions& options, bool describe) {
-  app.add_option("--dialect", options.dialect,
-                 "how the file deviates from the course grammar; parts joined by commas" +
-                     (describe ? ":\n" + describe_dialects() : ", see plumb lint --help"))
-      ->type_name("NAME");
-}
-
-void add_scene_options(CLI::App& app, SceneOptions& options, bool has_size) {
-  if (has_size)
-    app.add_option("--size", options.size, "size of the picture instead of the scene's own")
-        ->type_name("WxH");
-  app.add_option("--camera", options.camera, "camera instead of the scene's own")->type_name("NAME");
-  app.add_option("--depth", options.depth,
-                 "recursion depth D: trace(depth >= D) is black; the primary ray has depth 0")
-      ->type_name("D")
-      ->check(CLI::Range(1, max_depth))
-      ->capture_default_str();
-  app.add_option("--glass-shadow", options.glass_shadow,
-                 "full: glass blocks light (the lecture); none: it casts no shadow; filtered: light times kt "
-                 "a surface")
-      ->check(CLI::IsMember({"full", "none", "filtered"}))
-      ->capture_default_str();
-  add_dialect(app, options, false);
-}
-
-void add_real(CLI::App& app, SceneOptions& options) {
-  app.add_option("--real", options.real,
-                 "type of real numbers, of 24, 53, 64 and 113 bits; long-double and quad are rendered by the "
-                 "textbook tracer")
-      ->check(CLI::IsMember({"float", "double", "long-double", "quad"}))
-      ->capture_default_str();
-  app.add_option("--engine", options.engine,
-                 "engine: the fast tracer (float and double); textbook: the readable one")
-      ->check(CLI::IsMember({"textbook", "engine"}))
-      ->capture_default_str();
-}
-
-void add_tolerance(CLI::App& app, double& tolerance) {
-  const CLI::Validator finite_and_positive(
-      [](std::string& text) -> std::string {
-        const Number number = parse_number(text);
-        if (number.complaint.empty() && number.value >= 0) return {};
-        return "found " + in_quotes(text) + ", expected a finite number >= 0";
-      },
-      "");
-  app.add_option("--tolerance", tolerance,
-                 "largest error of a linear component, relative above 1, that agrees")
-      ->type_name("T")
-      ->check(finite_and_positive)
-      ->capture_default_str();
-}
-
-CLI::Option* add_error(CLI::App& app, double& error, const std::string& description) {
-  const CLI::Validator finite_and_more_than_0(
-      [](std::string& text) -> std::string {
-        const Number number = parse_number(text);
-        if (number.complaint.empty() && number.value > 0) return {};
-        return "found " + in_quotes(text) + ", expected a finite number > 0, e.g. 0.001";
-      },
-      "");
-  return app.add_option("--error", error, description)->type_name("E")->check(finite_and_more_than_0);
-}
-
-Dialect dialect_of(const SceneOptions& options) {
-  return options.dialect.empty() ? Dialect{} : parse_dialect(options.dialect);
-}
-
-RenderOptions render_options_of(const SceneOptions& options) {
-  RenderOptions render;
-  render.depth = options.depth;
-  if (options.glass_shadow == "none") render.glass_shadow = GlassShadow::none;
-  if (options.glass_shadow == "filtered") render.glass_shadow = GlassShadow::filtered;
-  return render;
-}
-
-RealType real_of(const SceneOptions& options) {
-  if (options.real == "float") return RealType::float32;
-  if (options.real == "double") return RealType::float64;
-  return options.real == "quad" ? RealType::quad : RealType::long_double;
-}
-
-references::Renderer renderer_of(const SceneOptions& options) {
-  return options.engine == "textbook" ? references::Renderer::textbook : references::Renderer::engine;
-}
-
-std::optional<references::Size> size_of(const SceneOptions& options) {
-  if (options.size.empty()) return std::nullopt;
-  const std::size_t x = options.size.find('x');
-  const auto width = whole_number(std::string_view(options.size).substr(0, x));
+Size size_named(const std::string& text) {
+  const std::size_t x = text.find('x');
+  const auto width = whole_number(std::string_view(text).substr(0, x));
   const auto height =
-      x == std::string::npos ? std::nullopt : whole_number(std::string_view(options.size).substr(x + 1));
-  if (!width || !height) {
-    throw std::invalid_argument("--size: found '" + options.size + "', expected WxH, e.g. 480x320");
-  }
+      x == std::string::npos ? std::nullopt : whole_number(std::string_view(text).substr(x + 1));
+  if (!width || !height)
+    throw std::invalid_argument("--size: found '" + text + "', expected WxH, e.g. 480x320");
   const bool fits = *width >= 1 && *height >= 1 && *width <= largest_side && *height <= largest_side &&
                     static_cast<double>(*width) * *height <= most_pixels;
-  if (!fits) {
-    throw std::invalid_argument("--size: found " + options.size +
+  if (!fits)
+    throw std::invalid_argument("--size: found " + text +
                                 ", expected 1 to 65535 a side and at most 268435456 pixels");
-  }
-  return references::Size{*width, *height};
+  return {*width, *height};
 }
 
-references::PictureOptions picture_options(const SceneOptions& options, double tolerance,
-                                           bool keeps_pictures) {
-  return {
-      size_of(options), options.camera,       tolerance,     dialect_of(options), render_options_of(options),
-      real_of(options), renderer_of(options), keeps_pictures};
+std::string text_of(const std::optional<Size>& size) {
+  return size ? std::to_string(size->width) + "x" + std::to_string(size->height) : "";
 }
 
-View view_of(const Scene& scene, const SceneOptions& options) {
+}  // namespace
+
+Option output_option(const std::string& name, std::string& file, const std::string& purpose) {
+  return {name, &file, purpose + "; - is standard output", {.value = "FILE"}};
+}
+
+Option report_option(std::string& directory) {
+  return {"--report",
+          &directory,
+          "write a report with all pictures to DIR/index.html, one page that needs no network",
+          {.value = "DIR"}};
+}
+
+Option dialect_option(Dialect& dialect, std::string* name, const std::string& list) {
+  const auto read = [&dialect, name](const std::string& text) {
+    if (!text.empty()) dialect = parse_dialect(text);
+    if (name != nullptr) *name = text;
+  };
+  return {"--dialect",
+          read,
+          "how the file deviates from the course grammar; parts joined by commas" + list,
+          {.value = "NAME"}};
+}
+
+Option depth_option(int& depth, const std::string& purpose, Rules rules) {
+  rules.shows_default = true;
+  rules.range = within(1, max_depth);
+  return {"--depth", &depth, purpose, rules};
+}
+
+Table scene_options(PictureOptions& picture) {
+  const auto read_size = [&picture](const std::string& text) {
+    if (!text.empty()) picture.size = size_named(text);
+  };
+  return {{"--size", read_size, "size of the picture instead of the scene's own", {.value = "WxH"}},
+          {"--camera", &picture.camera, "camera instead of the scene's own", {.value = "NAME"}},
+          depth_option(picture.render.depth,
+                       "recursion depth D: trace(depth >= D) is black; the primary ray has depth 0",
+                       {.value = "D"}),
+          {"--glass-shadow",
+           one_of(picture.render.glass_shadow, glass_shadows),
+           "full: glass blocks light (the lecture); none: it casts no shadow; filtered: light times kt "
+           "a surface",
+           {.shows_default = true}},
+          dialect_option(picture.dialect, &picture.dialect_name)};
+}
+
+Table tracer_options(PictureOptions& picture) {
+  return {{"--real",
+           one_of(picture.real, real_types),
+           "type of real numbers, of 24, 53, 64 and 113 bits; long-double and quad are rendered by the "
+           "textbook tracer",
+           {.shows_default = true}},
+          {"--engine",
+           one_of(picture.renderer, tracers),
+           "engine: the fast tracer (float and double); textbook: the readable one",
+           {.shows_default = true}}};
+}
+
+Option tolerance_option(double& tolerance) {
+  return {"--tolerance",
+          &tolerance,
+          "largest error of a linear component, relative above 1, that agrees",
+          {.value = "T", .shows_default = true, .complaint = complaint_about_size}};
+}
+
+Option error_option(double& error, const std::string& purpose, Rules rules) {
+  rules.value = "E";
+  rules.complaint = [](const std::string& text) -> std::string {
+    const Number number = parse_number(text);
+    if (number.complaint.empty() && number.value > 0) return {};
+    return "found " + in_quotes(text) + ", expected a finite number > 0, e.g. 0.001";
+  };
+  return {"--error", &error, purpose, rules};
+}
+
+Option hint_option(int& hint) {
+  return {"--hint",
+          &hint,
+          "how much is told: 1 the slide, 2 the mistake, 3 the formula, too",
+          {.value = "LEVEL", .shows_default = true, .range = within(1, 3)}};
+}
+
+std::string complaint_about_size(const std::string& text) {
+  const Number number = parse_number(text);
+  if (number.complaint.empty() && number.value >= 0) return {};
+  return "found " + in_quotes(text) + ", expected a finite number >= 0";
+}
+
+View view_of(const Scene& scene, const PictureOptions& options) {
   const RenderRequest& request = scene.renders.front();
   return {scene.camera(options.camera.empty() ? request.camera : options.camera),
-          size_of(options).value_or(references::Size{request.width, request.height})};
+          options.size.value_or(Size{request.width, request.height})};
 }
 
-std::string picture_arguments(const SceneOptions& options) {
-  const SceneOptions usual;
+std::string picture_arguments(const PictureOptions& options) {
+  const PictureOptions usual;
   std::string text;
   const auto add = [&](const char* name, const std::string& value, const std::string& usual_value) {
     if (value != usual_value) text += std::string(" ") + name + " " + references::shell_word(value);
   };
-  add("--size", options.size, usual.size);
-  add("--camera", options.camera, usual.camera);
-  add("--depth", std::to_string(options.depth), std::to_string(usual.depth));
-  add("--glass-shadow", options.glass_shadow, usual.glass_shadow);
-  add("--real", options.real, usual.real);
-  add("--engine", options.engine, usual.engine);
-  add("--dialect", options.dialect, usual.dialect);
+  add("--size", text_of(options.size), "");
+  add("--camera", options.camera, "");
+  add("--depth", std::to_string(options.render.depth), std::to_string(usual.render.depth));
+  add("--glass-shadow", word_for(options.render.glass_shadow, glass_shadows), "full");
+  add("--real", word_for(options.real, real_types), "double");
+  add("--engine", word_for(options.renderer, tracers), "engine");
+  add("--dialect", options.dialect_name, "");
   return text;
 }
 
-CLI::Option* add_report(CLI::App& app, std::string& directory) {
-  return app
-      .add_option("--report", directory,
-                  "write a report with all pictures to DIR/index.html, one page that needs no network")
-      ->type_name("DIR");
+std::string explain_arguments(PictureOptions options) {
+  options.real = PictureOptions{}.real;
+  options.renderer = PictureOptions{}.renderer;
+  return picture_arguments(options);
 }
 
 void say_report(const std::string& directory) {

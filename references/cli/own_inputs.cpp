@@ -50,14 +50,13 @@ bool is_no_place(const std::string& file) {
   return file.empty() || file == "-" || fs::is_other(file, none);
 }
 
-void refuse_one_file_twice(const CLI::App& command) {
+void refuse_one_file_twice(const Request& request) {
   std::map<fs::path, std::string> taken;
   fs::path report;
-  for (const CLI::Option* const option : command.get_options()) {
-    const std::string name = option->get_name();
-    if (name == "--report" && !option->results().empty()) report = place_of(option->results().front());
+  for (const auto& [name, values] : request.given) {
+    if (name == "--report" && !values.empty()) report = place_of(values.front());
     if (!is_output(name) && name != "--resume") continue;
-    for (const std::string& file : option->results()) {
+    for (const std::string& file : values) {
       if (is_no_place(file)) continue;
       const auto [at, is_new] = taken.emplace(place_of(file), name);
       if (!is_new)
@@ -75,14 +74,14 @@ void refuse_one_file_twice(const CLI::App& command) {
 }
 
 /// What a command runs: a word of --renderer, or anything below --submissions.
-bool is_run(const CLI::Option& option, const std::string& file) {
+bool is_run(const Request::Given& given, const std::string& file) {
   std::error_code none;
-  for (const std::string& value : option.results()) {
-    if (option.get_name() == "--submissions") {
+  for (const std::string& value : given.values) {
+    if (given.option == "--submissions") {
       const fs::path below = place_of(file).lexically_relative(place_of(value));
       if (!below.empty() && *below.begin() != "..") return true;
     }
-    if (option.get_name() != "--renderer") continue;
+    if (given.option != "--renderer") continue;
     for (const std::string& word : references::split_command(value))
       if (fs::equivalent(word, file, none)) return true;
   }
@@ -91,19 +90,18 @@ bool is_run(const CLI::Option& option, const std::string& file) {
 
 }  // namespace
 
-void refuse_to_overwrite_inputs(const CLI::App& command) {
-  refuse_one_file_twice(command);
-  for (const CLI::Option* const output : command.get_options()) {
-    const std::string name = output->get_name();
+void refuse_to_overwrite_inputs(const Request& request) {
+  refuse_one_file_twice(request);
+  for (const auto& [name, files] : request.given) {
     if (!is_output(name)) continue;
-    for (const std::string& file : output->results()) {
+    for (const std::string& file : files) {
       std::error_code none;
       if (!fs::is_regular_file(file, none)) continue;
       if (holds_results(name) && is_input_by_name(file)) refuse(name, file);
-      for (const CLI::Option* const other : command.get_options()) {
-        if (is_output(other->get_name())) continue;
-        if (is_run(*other, file)) refuse(name, file);
-        for (const std::string& input : other->results())
+      for (const Request::Given& other : request.given) {
+        if (is_output(other.option)) continue;
+        if (is_run(other, file)) refuse(name, file);
+        for (const std::string& input : other.values)
           if (fs::equivalent(input, file, none)) refuse(name, file);
       }
     }

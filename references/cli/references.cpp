@@ -124,18 +124,18 @@ int update(const std::vector<std::string>& scenes) {
 
 }  // namespace
 
-Command add_references(CLI::App& plumb) {
-  CLI::App* app = plumb.add_subcommand("references", "Check or renew the stored reference images.");
+Command references_command() {
   auto options = std::make_shared<Options>();
-  auto* check_flag =
-      app->add_flag("--check", options->check, "render all of them again with POV-Ray and compare");
-  app->add_option("--update", options->update, "scenes whose reference images POV-Ray is to make anew")
-      ->type_name("SCENE")
-      ->expected(-1)
-      ->excludes(check_flag);
-  app->require_option(1);
-  app->footer("Example: plumb references --check\nExit codes: 0 all hold, 1 some do not, 2 trouble.");
-  return {app, [options] { return options->check ? check() : update(options->update); }};
+  return {.name = "references",
+          .purpose = "Check or renew the stored reference images.",
+          .footer = "Example: plumb references --check\nExit codes: 0 all hold, 1 some do not, 2 trouble.",
+          .options = {{"--check", &options->check, "render all of them again with POV-Ray and compare"},
+                      {"--update",
+                       &options->update,
+                       "scenes whose reference images POV-Ray is to make anew",
+                       {.value = "SCENE", .excludes = {"--check"}}}},
+          .run = [options](auto&) { return options->check ? check() : update(options->update); },
+          .wants_an_option = true};
 }
 
 }  // namespace plumb::cli

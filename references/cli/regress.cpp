@@ -32,40 +32,23 @@ struct Options {
   std::vector<std::string> update;
   bool all_new = false;
   std::string because;
-  std::string variant;
   std::string json;
   std::string junit;
   std::string report;
-  double tolerance = 1e-6;
-  int threads = 0;
-  BoundsOptions bounds;
   ConfinedOptions confined;
-  SceneOptions common;
-};
-
-references::RegressOptions regress_options(const Options& options) {
   references::RegressOptions regress;
-  static_cast<references::PictureOptions&>(regress) =
-      picture_options(options.common, options.tolerance, !options.report.empty());
-  regress.threads = options.threads;
-  regress.variant = options.variant;
-  regress.bounds = bounds_of(options.bounds, options.tolerance);
-  if (!options.confined.renderer.empty())
-    regress.other = references::confined_renderer(options.confined.renderer,
-                                                  confined_command(options.confined), regress.dialect);
-  return regress;
-}
+};
 
 /// The options that an update has to repeat, each with a blank before it.
 std::string update_arguments(const Options& options) {
-  std::string text = picture_arguments(options.common);
+  std::string text = picture_arguments(options.regress);
   const auto add = [&](const char* name, const auto& value, const auto& usual) {
     std::ostringstream stream;
     stream << value;
     if (value != usual) text += std::string(" ") + name + " " + shell_word(stream.str());
   };
   const Options usual{};
-  add("--variant", options.variant, usual.variant);
+  add("--variant", options.regress.variant, usual.regress.variant);
   add("--renderer", options.confined.renderer, usual.confined.renderer);
   for (const std::string& path : options.confined.readable) text += " --readable " + shell_word(path);
   add("--timeout", options.confined.timeout, usual.confined.timeout);
@@ -129,8 +112,8 @@ Json to_json(const Options& options, const std::vector<RegressedScene>& scenes) 
   }
   return {{"tool", "plumb"},
           {"version", PLUMB_VERSION},
-          {"baselines", references::baselines_of(options.directory, options.variant)},
-          {"tolerance", options.tolerance},
+          {"baselines", references::baselines_of(options.directory, options.regress.variant)},
+          {"tolerance", options.regress.tolerance},
           {"scenes", list}};
 }
 
@@ -177,11 +160,14 @@ void write_trouble(const Options& options, const std::string& message) {
   }
 }
 
-/// What asks plumb to render otherwise means nothing to another renderer.
-void refuse_options_of_plumb(CLI::App& app, CLI::Option* renderer) {
-  for (const char* const name :
-       {"--threads", "--real", "--engine", "--size", "--camera", "--depth", "--glass-shadow"})
-    app.get_option(name)->excludes(renderer);
+/// What no option says by itself. Throws what the readers of options throw.
+void complete(Options& options, const Request& request) {
+  request.read();
+  options.regress.keeps_pictures = !options.report.empty();
+  options.regress.bounds.limit.tolerance = options.regress.tolerance;
+  if (options.confined.renderer.empty()) return;
+  options.regress.other = references::confined_renderer(
+      options.confined.renderer, confined_command(options.confined), options.regress.dialect);
 }
 
 /// Renders and compares all; prints a row of the table for each scene when it is done.
@@ -192,17 +178,14 @@ std::vector<RegressedScene> run(const Options& options, bool table) {
   const std::size_t width = name_width(paths);
   Progress progress("rendering " + options.directory);
   std::size_t done = 0;
-  auto regress = regress_options(options);
+  references::RegressOptions regress = options.regress;
   regress.progress = [&](double fraction) {
     progress.show((static_cast<double>(done) + fraction) / static_cast<double>(names.size()));
   };
   if (table) std::printf("%s\n", table_head(width).c_str());
-  SceneReport report(options.report, "plumb regress " + options.directory, options.tolerance);
-  SceneOptions explained = options.common;  // explain has no --real: it always traces in double
-  explained.real = SceneOptions{}.real;
-  explained.engine = SceneOptions{}.engine;
+  SceneReport report(options.report, "plumb regress " + options.directory, options.regress.tolerance);
   std::optional<std::string> explain;
-  if (options.confined.renderer.empty()) explain = picture_arguments(explained);
+  if (options.confined.renderer.empty()) explain = explain_arguments(options.regress);
   const auto scenes = references::regress(options.directory, regress, [&](const RegressedScene& scene) {
     ++done;
     progress.clear();
@@ -213,12 +196,13 @@ std::vector<RegressedScene> run(const Options& options, bool table) {
   return scenes;
 }
 
-int check(const Options& options) {
+int check(Options& options, const Request& request) {
   if (options.json == "-" && options.junit == "-")
     throw std::invalid_argument("--json and --junit: found - for both, expected a FILE for one of them");
   const bool table = options.json != "-" && options.junit != "-";
   std::vector<RegressedScene> scenes;
   try {
+    complete(options, request);
     scenes = run(options, table);
   } catch (const std::exception& error) {
     write_trouble(options, error.what());
@@ -230,7 +214,7 @@ int check(const Options& options) {
   if (table) {
     std::printf("%zu scene%s against %s: %td agree, %td differ, %td in trouble\n", scenes.size(),
                 scenes.size() == 1 ? "" : "s",
-                references::baselines_of(options.directory, options.variant).c_str(),
+                references::baselines_of(options.directory, options.regress.variant).c_str(),
                 count(scenes, Status::agree), differ, trouble);
     say_report(options.report);
   }
@@ -253,7 +237,7 @@ void print_approved(const references::Approved& scene) {
     warn(scene.name + ": warning: nothing is seen: every pixel has the same colour");
 }
 
-int update(const Options& options) {
+int update(Options& options, const Request& request) {
   if (options.update.empty() && !options.all_new) {
     throw std::invalid_argument(
         "--update: name the scenes whose images you approve; for all of them: --update " +
@@ -263,77 +247,91 @@ int update(const Options& options) {
     throw std::invalid_argument(
         "--update: say why the new image is right, it is kept beside it: --because 'the light was moved'");
   }
+  complete(options, request);
   Progress progress("rendering " + options.directory);
-  auto regress = regress_options(options);
-  regress.progress = [&](double fraction) { progress.show(fraction); };
+  options.regress.progress = [&](double fraction) { progress.show(fraction); };
   const auto approved = references::approve(
-      options.directory, regress,
+      options.directory, options.regress,
       {options.update, options.all_new, options.because, references::author_in(options.directory), warn,
-       picture_arguments(options.common)});
+       picture_arguments(options.regress)});
   progress.clear();
   for (const references::Approved& scene : approved) print_approved(scene);
   if (approved.empty()) std::printf("nothing is new: every scene has a baseline\n");
   return exit_agrees;
 }
 
-CLI::Option* add_update(CLI::App& app, Options& options) {
-  auto* option =
-      app.add_option("--update", options.update,
-                     "approve: render these scenes (NAME, NAME.sdf or a path) and keep their images; a "
-                     "baseline whose scene is gone is forgotten")
-          ->type_name("SCENE")
-          ->expected(0, CLI::detail::expected_max_vector_size);
-  app.add_flag("--all-new", options.all_new, "with --update: approve all scenes that have no baseline yet")
-      ->needs(option);
-  app.add_option("--because", options.because, "why the new images are right; kept with who and when")
-      ->type_name("TEXT")
-      ->needs(option);
-  return option;
+/// What asks plumb to render otherwise means nothing to another renderer.
+Table without_renderer(Table options) {
+  for (Option& each : options)
+    if (each.names != "--dialect") each.rules.excludes.push_back("--renderer");
+  return options;
+}
+
+Table update_options(Options& options) {
+  return {{"DIR",
+           &options.directory,
+           "directory with the scenes, *.sdf, and those below it; the images are in DIR/baselines",
+           {.is_required = true}},
+          {"--update",
+           &options.update,
+           "approve: render these scenes (NAME, NAME.sdf or a path) and keep their images; a baseline whose "
+           "scene is gone is forgotten",
+           {.value = "SCENE", .may_be_alone = true}},
+          {"--all-new",
+           &options.all_new,
+           "with --update: approve all scenes that have no baseline yet",
+           {.needs = {"--update"}}},
+          {"--because",
+           &options.because,
+           "why the new images are right; kept with who and when",
+           {.value = "TEXT", .needs = {"--update"}}}};
+}
+
+Table output_options(Options& options) {
+  return excluding("--update", {output_option("--junit", options.junit, "write the results as JUnit XML"),
+                                output_option("--json", options.json, "write the results as JSON"),
+                                report_option(options.report)});
 }
 
 }  // namespace
 
-Command add_regress(CLI::App& plumb) {
-  CLI::App* app = plumb.add_subcommand(
-      "regress", "Render the scenes of a directory and compare them with the images approved for them.");
+Command regress_command() {
   auto options = std::make_shared<Options>();
-  app->add_option("DIR", options->directory,
-                  "directory with the scenes, *.sdf, and those below it; the images are in DIR/baselines")
-      ->required();
-  CLI::Option* const update_option = add_update(*app, *options);
-  app->add_option("--junit", options->junit, "write the results as JUnit XML; - is standard output")
-      ->type_name("FILE")
-      ->excludes(update_option);
-  app->add_option("--json", options->json, "write the results as JSON; - is standard output")
-      ->type_name("FILE")
-      ->excludes(update_option);
-  add_report(*app, options->report)->excludes(update_option);
-  app->add_option("--threads", options->threads, "threads; default: all")->check(CLI::Range(1, 1024));
-  app->add_option(
-         "--variant", options->variant,
-         "a baseline per platform: those in DIR/baselines/NAME, the plain one where it has none; with "
-         "--update: approve for this variant alone")
-      ->type_name("NAME");
-  add_tolerance(*app, options->tolerance);
-  add_bounds(*app, options->bounds);
-  add_real(*app, options->common);
-  add_scene_options(*app, options->common);
-  refuse_options_of_plumb(*app, add_confined(*app, options->confined));
-  app->footer(
-      "Example: plumb regress tests/scenes --junit results.xml\n"
-      "         plumb regress tests/scenes --update phong shadow --because 'the light was moved'\n"
-      "         plumb regress tests/scenes --update --all-new --because 'looked at'\n"
-      "         plumb regress scenes --renderer 'my-tracer {scene} {image}' --tolerance 0.004\n"
-      "No POV-Ray is run. A scene without a baseline differs; a baseline without its scene is trouble.\n"
-      "DIR/baselines/bounds.json allows more for single scenes, each with its reason, e.g.\n"
-      "{\"glass\": {\"allow_over\": \"0.1%\", \"ignore\": [\"0,0,64,16\"], \"because\": \"the clock is "
-      "there\"}}\n"
-      "Exit codes: 0 all agree, 1 some differ, 2 trouble.");
-  return {app, [options, &plumb, update_option] {
-            options->program = plumb.get_name();
+  references::RegressOptions& regress = options->regress;
+  return {
+      .name = "regress",
+      .purpose = "Render the scenes of a directory and compare them with the images approved for them.",
+      .footer =
+          "Example: plumb regress tests/scenes --junit results.xml\n"
+          "         plumb regress tests/scenes --update phong shadow --because 'the light was moved'\n"
+          "         plumb regress tests/scenes --update --all-new --because 'looked at'\n"
+          "         plumb regress scenes --renderer 'my-tracer {scene} {image}' --tolerance 0.004\n"
+          "No POV-Ray is run. A scene without a baseline differs; a baseline without its scene is trouble.\n"
+          "DIR/baselines/bounds.json allows more for single scenes, each with its reason, e.g.\n"
+          "{\"glass\": {\"allow_over\": \"0.1%\", \"ignore\": [\"0,0,64,16\"], \"because\": \"the clock is "
+          "there\"}}\n"
+          "Exit codes: 0 all agree, 1 some differ, 2 trouble.",
+      .options = joined(
+          {update_options(*options),
+           output_options(*options),
+           without_renderer(
+               {{"--threads", &regress.threads, "threads; default: all", {.range = within(1, 1024)}}}),
+           {{"--variant",
+             &regress.variant,
+             "a baseline per platform: those in DIR/baselines/NAME, the plain one where it has none; with "
+             "--update: approve for this variant alone",
+             {.value = "NAME"}},
+            tolerance_option(regress.tolerance)},
+           bounds_options(regress.bounds),
+           without_renderer(joined({tracer_options(regress), scene_options(regress)})),
+           confined_options(options->confined)}),
+      .run =
+          [options](const Request& request) {
+            options->program = request.program_name;
             std::erase(options->update, "");  // which a lone --update gives
-            return update_option->count() > 0 ? update(*options) : check(*options);
-          }};
+            return request.has("--update") ? update(*options, request) : check(*options, request);
+          },
+      .reads_itself = true};
 }
 
 }  // namespace plumb::cli

@@ -23,25 +23,23 @@ namespace {
 struct Options {
   std::string scene;
   std::string image;
-  std::string encode;
-  int threads = 0;
-  int samples = 1;
-  std::string pattern;
+  std::optional<Encoding> encode;
+  std::optional<SamplePattern> pattern;
   bool prints_statistics = false;
   std::string statistics_json;
-  std::string faults;
-  double error = 0;  // 0: none was asked for
-  SceneOptions common;
+  std::vector<const references::Fault*> faults;
+  double error = 0;  ///< 0: none was asked for
+  references::PictureOptions picture;
+  RenderJob job;
 };
+
+constexpr Word<Encoding> encodings[] = {
+    {"linear", Encoding::linear}, {"srgb", Encoding::srgb}, {"course", Encoding::course}};
+constexpr Word<SamplePattern> patterns[] = {{"grid", SamplePattern::grid},
+                                            {"low-discrepancy", SamplePattern::low_discrepancy}};
 
 /// Two pictures of so many pixels are held whole to be judged: 192 MiB each.
 constexpr std::int64_t most_judged_pixels = std::int64_t{1} << 24;
-
-Encoding encoding_of(const Options& options, const std::string& path) {
-  if (options.encode.empty()) return default_encoding(path);
-  if (options.encode == "srgb") return Encoding::srgb;
-  return options.encode == "course" ? Encoding::course : Encoding::linear;
-}
 
 /// The file that the scene's render line names, in the current directory: a scene chooses no directory, and
 /// not standard output.
@@ -56,18 +54,17 @@ std::string name_from(const Scene& scene) {
 }
 
 /// A grid when the number is a square.
-SamplePattern pattern_of(const Options& options) {
-  const double edge = std::sqrt(options.samples);
-  if (options.pattern.empty() && edge != std::floor(edge)) return SamplePattern::low_discrepancy;
-  return options.pattern == "low-discrepancy" ? SamplePattern::low_discrepancy : SamplePattern::grid;
+SamplePattern pattern_for(int samples) {
+  const double edge = std::sqrt(samples);
+  return edge != std::floor(edge) ? SamplePattern::low_discrepancy : SamplePattern::grid;
 }
 
 void report(const Options& options, const RenderJob& job, RenderStatistics& statistics) {
   statistics.scene = options.scene;
   statistics.has_counts =
-      references::renderer_for(renderer_of(options.common), job.real) == references::Renderer::engine;
+      references::renderer_for(options.picture.renderer, job.real) == references::Renderer::engine;
   statistics.engine = statistics.has_counts ? "engine" : "textbook";
-  statistics.real = options.common.real;
+  statistics.real = references::to_string(job.real);
   statistics.width = job.width;
   statistics.height = job.height;
   if (options.prints_statistics) std::fprintf(stderr, "%s", as_text(statistics).c_str());
@@ -87,7 +84,7 @@ void refuse_too_many(const RenderJob& job) {
 }
 
 /// Renders by the cheapest configuration that keeps the error that was asked for, and says why.
-references::RenderedFile render_within_error(Options& options, const Scene& scene, const Camera& camera,
+references::RenderedFile render_within_error(const Options& options, const Scene& scene, const Camera& camera,
                                              RenderJob& job, const std::string& path, Encoding encoding,
                                              RenderStatistics& statistics) {
   refuse_too_many(job);
@@ -107,7 +104,6 @@ references::RenderedFile render_within_error(Options& options, const Scene& scen
                                      choice.chosen,
                                      choice.tried,
                                      why};
-  options.common.real = references::to_string(choice.chosen.real);
   job.real = choice.chosen.real;
   const engine::Stopwatch writing;
   write_image(path, choice.image, encoding);
@@ -121,14 +117,14 @@ void put_in_place(const std::optional<references::UnaskedFile>& file, const std:
   std::printf("%s\n", name.c_str());
 }
 
-int render(Options options) {
+int render(Options& options) {
   RenderStatistics statistics;
   const engine::Stopwatch reading;
-  const Scene scene = load_scene(options.scene, dialect_of(options.common), warn);
+  const Scene scene = load_scene(options.scene, options.picture.dialect, warn);
   statistics.read = reading.elapsed();
-  const View view = view_of(scene, options.common);
+  const View view = view_of(scene, options.picture);
   const std::string asked = options.image.empty() ? name_from(scene) : options.image;
-  const Encoding encoding = encoding_of(options, asked);
+  const Encoding encoding = options.encode.value_or(default_encoding(asked));
   if (const auto complaint = complaint_about(asked, encoding)) {
     throw std::invalid_argument(in_quotes(asked) + ": " + *complaint);
   }
@@ -138,27 +134,24 @@ int render(Options options) {
   if (path == "-" && options.statistics_json == "-")
     throw std::invalid_argument(
         "found the picture and the statistics on standard output, expected one of them; name a file");
-  RenderJob job;
+  RenderJob& job = options.job;
   job.width = view.size.width;
   job.height = view.size.height;
-  job.options = render_options_of(options.common);
-  job.real = real_of(options.common);
-  job.threads = options.threads;
-  job.samples = options.samples;
-  job.pattern = pattern_of(options);
+  job.options = options.picture.render;
+  job.real = options.picture.real;
+  job.pattern = options.pattern.value_or(pattern_for(job.samples));
   Progress progress("rendering " + options.scene);
   job.progress = [&](double fraction) { progress.show(fraction); };
   if (!options.faults.empty()) {
-    write_image(path, references::render_with(scene, view.camera, job, faults_named(options.faults)),
-                encoding);
+    write_image(path, references::render_with(scene, view.camera, job, options.faults), encoding);
     progress.clear();
     put_in_place(unasked, asked);
     return exit_agrees;
   }
   const references::RenderedFile file =
       options.error > 0 ? render_within_error(options, scene, view.camera, job, path, encoding, statistics)
-                        : references::render_to_file(renderer_of(options.common), scene, view.camera, job,
-                                                     path, encoding, &statistics.counts);
+                        : references::render_to_file(options.picture.renderer, scene, view.camera, job, path,
+                                                     encoding, &statistics.counts);
   progress.clear();
   put_in_place(unasked, asked);
   statistics.write = file.write;
@@ -168,59 +161,61 @@ int render(Options options) {
   return exit_agrees;
 }
 
+Table picture_file_options(Options& options) {
+  return {{"SCENE", &options.scene, "scene file", {.is_required = true}},
+          {"-o,--output",
+           &options.image,
+           "image: .exr and .pfm (linear floats), .png, .ppm; - is standard output. Default: the file named "
+           "by the scene's render line, in the current directory, unless one is there that plumb didn't "
+           "write",
+           {.value = "IMAGE"}},
+          {"--encode", one_of(options.encode, encodings),
+           "linear; srgb (8 bits); course (tone map c/(c+1), then the framework's truncating 8-bit PPM). "
+           "Default: linear for floats, srgb for png, course for ppm"}};
+}
+
+Table job_options(Options& options) {
+  return {{"--threads", &options.job.threads, "threads; default: all", {.range = within(1, 1024)}},
+          {"--samples",
+           &options.job.samples,
+           "samples of a pixel, averaged; one is the pixel's centre, and all that the textbook tracer takes",
+           {.value = "N", .shows_default = true, .range = within(1, 65536)}},
+          {"--pattern", one_of(options.pattern, patterns),
+           "where they lie: grid, a square number; low-discrepancy, any number. Default: what fits"},
+          {"--stats", &options.prints_statistics,
+           "print what was done on standard error: the kernel and why, rays by kind, times, bytes an object"},
+          output_option("--stats-json", options.statistics_json, "write that as JSON"),
+          {"--fault",
+           [&options](const std::string& ids) {
+             if (!ids.empty()) options.faults = faults_named(ids);
+           },
+           "render with mistakes of real tracers, by the textbook tracer in double: ids of plumb faults, "
+           "joined by commas",
+           {.value = "ID", .excludes = {"--stats", "--stats-json", "--samples"}}}};
+}
+
 }  // namespace
 
-Command add_render(CLI::App& plumb) {
-  CLI::App* app = plumb.add_subcommand("render", "Render a scene to an image.");
+Command render_command() {
   auto options = std::make_shared<Options>();
-  app->add_option("SCENE", options->scene, "scene file")->required();
-  app->add_option(
-         "-o,--output", options->image,
-         "image: .exr and .pfm (linear floats), .png, .ppm; - is standard output. Default: the file named by "
-         "the scene's render line, in the current directory, unless one is there that plumb didn't write")
-      ->type_name("IMAGE");
-  app->add_option(
-         "--encode", options->encode,
-         "linear; srgb (8 bits); course (tone map c/(c+1), then the framework's truncating 8-bit PPM). "
-         "Default: linear for floats, srgb for png, course for ppm")
-      ->check(CLI::IsMember({"linear", "srgb", "course"}));
-  app->add_option("--threads", options->threads, "threads; default: all")->check(CLI::Range(1, 1024));
-  app->add_option(
-         "--samples", options->samples,
-         "samples of a pixel, averaged; one is the pixel's centre, and all that the textbook tracer takes")
-      ->type_name("N")
-      ->check(CLI::Range(1, 65536))
-      ->capture_default_str();
-  app->add_option("--pattern", options->pattern,
-                  "where they lie: grid, a square number; low-discrepancy, any number. Default: what fits")
-      ->check(CLI::IsMember({"grid", "low-discrepancy"}));
-  app->add_flag(
-      "--stats", options->prints_statistics,
-      "print what was done on standard error: the kernel and why, rays by kind, times, bytes an object");
-  app->add_option("--stats-json", options->statistics_json, "write that as JSON; - is standard output")
-      ->type_name("FILE");
-  app->add_option(
-         "--fault", options->faults,
-         "render with mistakes of real tracers, by the textbook tracer in double: ids of plumb faults, "
-         "joined by commas")
-      ->type_name("ID")
-      ->excludes("--stats")
-      ->excludes("--stats-json")
-      ->excludes("--samples");
-  add_real(*app, options->common);
-  add_error(
-      *app, options->error,
-      "choose the cheapest real type and depth whose measured error is at most E, relative above 1, and "
-      "say why on standard error; exit code 2 when there is none. --depth remains what is aimed at")
-      ->excludes("--real")
-      ->excludes("--engine")
-      ->excludes("--fault");
-  add_scene_options(*app, options->common);
-  app->footer(
-      "Example: plumb render tests/scenes/phong.sdf -o phong.png --size 640x480\n"
-      "--error measures against 113 bits on some pixels and against double on all; see plumb needs.\n"
-      "Exit codes: 0 rendered, 2 trouble.");
-  return {app, [options] { return render(*options); }};
+  return {.name = "render",
+          .purpose = "Render a scene to an image.",
+          .footer =
+              "Example: plumb render tests/scenes/phong.sdf -o phong.png --size 640x480\n"
+              "--error measures against 113 bits on some pixels and against double on all; see plumb needs.\n"
+              "Exit codes: 0 rendered, 2 trouble.",
+          .options = joined(
+              {picture_file_options(*options),
+               job_options(*options),
+               tracer_options(options->picture),
+               {error_option(
+                   options->error,
+                   "choose the cheapest real type and depth whose measured error is at most E, relative "
+                   "above 1, and say why on standard error; exit code 2 when there is none. --depth "
+                   "remains what is aimed at",
+                   {.excludes = {"--real", "--engine", "--fault"}})},
+               scene_options(options->picture)}),
+          .run = [options](auto&) { return render(*options); }};
 }
 
 }  // namespace plumb::cli

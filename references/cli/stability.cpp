@@ -37,20 +37,21 @@ int run_stability(const Options& options) {
 
 }  // namespace
 
-Command add_stability(CLI::App& plumb) {
-  CLI::App* app = plumb.add_subcommand(
-      "stability",
-      "Find where each method, POV-Ray and Embree fail, as distance, scale, angle and so on grow.");
+Command stability_command() {
   auto options = std::make_shared<Options>();
-  app->add_flag("--quick", options->quick, "fewer values and rays");
-  app->add_option("--condition", options->condition, "sweep this one alone")->type_name("NAME");
-  app->add_option("--json", options->json, "write all sweeps as JSON; - is standard output")
-      ->type_name("FILE");
-  app->add_option("--report", options->report, "write a page with a map of each condition")->type_name("DIR");
-  app->footer(
-      "Example: plumb stability --quick --condition distance --report atlas\n"
-      "Finished rows are kept in the cache, so an interrupted run resumes. Exit codes: 0 done, 2 trouble.");
-  return {app, [options] { return run_stability(*options); }};
+  return {
+      .name = "stability",
+      .purpose = "Find where each method, POV-Ray and Embree fail, as distance, scale, angle and so on grow.",
+      .footer =
+          "Example: plumb stability --quick --condition distance --report atlas\n"
+          "Finished rows are kept in the cache, so an interrupted run resumes. Exit codes: 0 done, 2 "
+          "trouble.",
+      .options =
+          {{"--quick", &options->quick, "fewer values and rays"},
+           {"--condition", &options->condition, "sweep this one alone", {.value = "NAME"}},
+           output_option("--json", options->json, "write all sweeps as JSON"),
+           {"--report", &options->report, "write a page with a map of each condition", {.value = "DIR"}}},
+      .run = [options](auto&) { return run_stability(*options); }};
 }
 
 }  // namespace plumb::cli

@@ -12,11 +12,9 @@
 #include "references/comparison/comparison.hpp"
 #include "references/comparison/metrics/metrics.hpp"
 #include "references/comparison/pixel_mask.hpp"
-#include "references/renderers/ours.hpp"
+#include "references/gates/picture_options.hpp"
 #include "references/report/pictures.hpp"
 #include "references/truth/judgement.hpp"
-#include "tracer/format/dialect.hpp"
-#include "tracer/scene/render_options.hpp"
 #include "tracer/scene/scene.hpp"
 #include "tracer/textbook/render.hpp"
 
@@ -25,23 +23,6 @@ namespace plumb::references {
 enum class Status { agree, differ, error };
 
 const char* to_string(Status status);
-
-struct Size {
-  int width;
-  int height;
-};
-
-/// How scenes are read, rendered on our side and compared, whatever they are compared with.
-struct PictureOptions {
-  std::optional<Size> size;  ///< instead of the scenes' own
-  std::string camera;        ///< instead of the scenes' own, when not empty
-  double tolerance = 1e-6;
-  Dialect dialect;
-  RenderOptions render;
-  RealType real = RealType::float64;
-  Renderer renderer = Renderer::engine;  ///< of our side
-  bool keeps_pictures = false;           ///< in the results while they are reported, for a report
-};
 
 struct VerifyOptions : PictureOptions {
   bool stored = false;              ///< compare with stored images, start no POV-Ray
