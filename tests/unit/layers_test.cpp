@@ -124,24 +124,26 @@ TEST(Layers, NoSourceLiesLooseInReferences) {
     EXPECT_FALSE(is_source(entry.path())) << entry.path();
 }
 
-TEST(Layers, OnePlaceKnowsWhereTheSourceWas) {
+void expect_only_in(const std::string& source, const std::string& text) {
   for (const char* part : {"tracer", "exporters", "references"}) {
     for (const auto& file : fs::recursive_directory_iterator(source_path(part))) {
-      if (!is_source(file.path()) || file.path().filename() == "installation.cpp") continue;
-      EXPECT_EQ(read_file(file.path().string()).find("PLUMB_SOURCE_DIRECTORY"), std::string::npos)
-          << file.path();
+      if (!is_source(file.path())) continue;
+      const bool has_it = read_file(file.path().string()).find(text) != std::string::npos;
+      EXPECT_EQ(has_it, file.path() == source_path(source)) << file.path() << ": " << text;
     }
   }
 }
 
+TEST(Layers, OnePlaceKnowsWhereTheSourceWas) {
+  expect_only_in("tracer/system/installation.cpp", "PLUMB_SOURCE_DIRECTORY");
+}
+
 TEST(Layers, OnlyTheModuleKnowsOpenImageIO) {
-  for (const char* part : {"tracer", "exporters", "references"}) {
-    for (const auto& file : fs::recursive_directory_iterator(source_path(part))) {
-      if (!is_source(file.path()) || file.path().filename() == "oiio_module.cpp") continue;
-      EXPECT_EQ(read_file(file.path().string()).find("#include <OpenImageIO"), std::string::npos)
-          << file.path();
-    }
-  }
+  expect_only_in("tracer/image/oiio_module.cpp", "#include <OpenImageIO");
+}
+
+TEST(Layers, OneFileKnowsTheParserOfTheCommandLine) {
+  expect_only_in("references/cli/command_line.cpp", "#include <CLI/");
 }
 
 TEST(Layers, TheTopLevelIsFixed) {
