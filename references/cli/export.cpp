@@ -5,10 +5,10 @@
 #include "exporters/povray.hpp"
 #include "references/cli/commands.hpp"
 #include "references/cli/options.hpp"
-#include "references/gates/approve.hpp"
 #include "references/renderers/povray.hpp"
 #include "tracer/format/reader.hpp"
 #include "tracer/system/files.hpp"
+#include "tracer/text/shell_word.hpp"
 
 namespace plumb::cli {
 namespace {
@@ -30,7 +30,7 @@ std::string word_for(const std::string& option, const std::string& file) {
       std::none_of(file.begin(), file.end(), [](unsigned char c) { return c < ' ' || c == '"'; });
   const std::string name = is_plain ? file : option == "+I" ? "scene.pov" : "scene.png";
   const bool has_blank = name.find(' ') != std::string::npos;
-  return " " + references::shell_word(has_blank ? option + '"' + name + '"' : option + name);
+  return " " + shell_word(has_blank ? option + '"' + name + '"' : option + name);
 }
 
 /// How POV-Ray is run on the file, as verify runs it. The text that references are kept for begins behind it.

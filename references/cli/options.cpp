@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "references/gates/approve.hpp"
 #include "tracer/text/numbers.hpp"
+#include "tracer/text/shell_word.hpp"
 #include "tracer/text/words.hpp"
 
 namespace plumb::cli {
@@ -154,7 +154,7 @@ std::string picture_arguments(const PictureOptions& options) {
   const PictureOptions usual;
   std::string text;
   const auto add = [&](const char* name, const std::string& value, const std::string& usual_value) {
-    if (value != usual_value) text += std::string(" ") + name + " " + references::shell_word(value);
+    if (value != usual_value) text += std::string(" ") + name + " " + shell_word(value);
   };
   add("--size", text_of(options.size), "");
   add("--camera", options.camera, "");

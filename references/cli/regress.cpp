@@ -18,12 +18,12 @@
 #include "references/gates/author.hpp"
 #include "references/report/junit.hpp"
 #include "tracer/system/files.hpp"
+#include "tracer/text/shell_word.hpp"
 
 namespace plumb::cli {
 namespace {
 
 using references::RegressedScene;
-using references::shell_word;
 using references::Status;
 
 struct Options {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <map>
 
-#include "references/gates/approve.hpp"
 #include "tracer/text/numbers.hpp"
+#include "tracer/text/shell_word.hpp"
 
 namespace plumb::cli {
 namespace {
@@ -71,8 +71,7 @@ void SceneReport::add(const SceneResult& result, const std::optional<std::string
     entry.test = result.pictures->ours;
     entry.notes = notes_of(result);
     entry.mask = result.mask;
-    if (options)
-      entry.explain_command = "plumb explain" + *options + " " + references::shell_word(result.scene);
+    if (options) entry.explain_command = "plumb explain" + *options + " " + shell_word(result.scene);
   }
   writer_->add(entry);
 }

@@ -10,6 +10,7 @@
 #include "references/gates/approved_images.hpp"
 #include "references/system/digest.hpp"
 #include "tracer/format/reader.hpp"
+#include "tracer/text/shell_word.hpp"
 #include "tracer/text/words.hpp"
 
 namespace plumb::references {
@@ -173,15 +174,6 @@ std::vector<Approved> approve(const std::string& directory, const RegressOptions
   }
   update.commit();
   return result;
-}
-
-std::string shell_word(const std::string& text) {
-  constexpr std::string_view plain =
-      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./=,:@%+";
-  if (!text.empty() && text.find_first_not_of(plain) == std::string::npos) return text;
-  std::string word = "'";
-  for (const char c : text) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return word + "'";
 }
 
 }  // namespace plumb::references

@@ -36,7 +36,4 @@ struct Approved {
 std::vector<Approved> approve(const std::string& directory, const RegressOptions& options,
                               const ApprovalRequest& request);
 
-/// A word of a command line of sh, in quotes where it needs them.
-std::string shell_word(const std::string& text);
-
 }  // namespace plumb::references
