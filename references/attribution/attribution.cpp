@@ -59,7 +59,7 @@ class Attribution {
     for (const PixelPlace p : pixels_over(job_.reference, job_.test, job_.tolerance)) {
       budget_.pixels.push_back({p.x, p.y, Cause::unexplained});
     }
-    if (job_.precision != Precision::float32) explain_by_format();
+    if (job_.holds != Holds::float32) explain_by_format();
     const Pixels all = still_unexplained();
     if (all.size() > most_without_sample && !is_explained(sample_of(all))) {
       budget_.unexamined = all.size() - sample_of(all).size();
@@ -119,7 +119,7 @@ class Attribution {
   /// Clamping and rounding to integers, to the last bit but for the rounding of the float itself. A clamped
   /// reference does not tell the test's value; that must be what is traced.
   void explain_by_format(AttributedPixel& p, const PixelTracer& tracer) const {
-    const double levels = job_.precision == Precision::bits8 ? 255 : 65535;
+    const double levels = job_.holds == Holds::bits8 ? 255 : 65535;
     bool clamps = false;
     for (int c = 0; c < 3; ++c) {
       const double value = test(p)[c];

@@ -7,6 +7,7 @@
 
 #include "references/attribution/perturbation.hpp"
 #include "references/comparison/comparison.hpp"
+#include "references/renderers/holds.hpp"
 #include "tracer/scene/render_options.hpp"
 #include "tracer/scene/scene.hpp"
 
@@ -54,13 +55,6 @@ struct Budget {
   std::size_t explained() const { return pixels.size() - count(Cause::unexplained); }
 };
 
-/// How exactly a reference's file holds its values.
-enum class Precision {
-  float32,
-  bits16,  ///< 0..1 rounded to 1/65535
-  bits8,   ///< 0..1 rounded to 1/255
-};
-
 /// What a budget is made from. The scene is as read_scene returns it; both pictures have one size.
 struct AttributionJob {
   const Scene& scene;
@@ -68,8 +62,8 @@ struct AttributionJob {
   const RenderOptions& options;
   const Image& reference;
   const Image& test;
-  double tolerance;  ///< as in compare()
-  Precision precision = Precision::float32;
+  double tolerance;              ///< as in compare()
+  Holds holds = Holds::float32;  ///< the reference
   Judge judge = Judge::povray;
   double work = 2.5e8;  ///< units of Work that are spent at most, about 5 s; a fifth more to name the shapes
 };

@@ -104,7 +104,7 @@ int update(const std::vector<std::string>& scenes) {
   for (const std::string& path : scenes) {
     const Exported now = exported(path);
     const refs::PovrayPicture picture = povray.render(now.job);
-    if (picture.precision != "float32" || !picture.warnings.empty()) {
+    if (picture.holds != refs::Holds::float32 || !picture.warnings.empty()) {
       throw refs::PovrayError(path + ": not stored, POV-Ray warns: " + picture.warnings);
     }
     refs::StoredReference entry;

@@ -48,7 +48,7 @@ std::optional<std::string> read_if_there(const std::string& path) {
 std::string key_of(const PovrayJob& job, const std::string& version) {
   std::string all = "povray " + version;
   for (const std::string& argument : povray_arguments(job)) all += " " + argument;
-  if (job.output == PovrayOutput::png16) all += " read from its PNG";  // of the same arguments
+  if (job.holds == Holds::bits16) all += " read from its PNG";  // of the same arguments
   return sha256(all + "\n" + job.text);
 }
 
@@ -66,7 +66,7 @@ std::string pack(const PovrayPicture& picture) {
   const Json about{{"width", picture.image.width},
                    {"height", picture.image.height},
                    {"cpu_seconds", picture.cpu_seconds},
-                   {"precision", picture.precision},
+                   {"precision", to_string(picture.holds)},
                    {"warnings", picture.warnings}};
   std::string rest = json_text_of_any_bytes(about) + "\n";
   const std::size_t at = rest.size();
@@ -87,7 +87,7 @@ std::optional<PovrayPicture> unpack(std::string_view bytes) {
   PovrayPicture picture;
   picture.image = Image(about.at("width"), about.at("height"));
   picture.cpu_seconds = about.at("cpu_seconds");
-  picture.precision = about.at("precision");
+  picture.holds = holds_named(about.at("precision"));
   picture.warnings = about.at("warnings");
   const std::string_view floats = rest.substr(line + 1);
   if (floats.size() != picture.image.rgb.size() * sizeof(float)) return std::nullopt;

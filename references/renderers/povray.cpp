@@ -117,7 +117,7 @@ void fall_back_to_png(const std::string& path, const PovrayJob& job, const std::
   } catch (const std::runtime_error& error) {
     throw PovrayError("POV-Ray left no usable picture: " + why + "; " + error.what());
   }
-  picture.precision = "png16";
+  picture.holds = Holds::bits16;
   picture.warnings += (picture.warnings.empty() ? "" : "\n") + why +
                       ": 16 bits of its PNG are used, clamped at 1 and off by up to 7.7e-6";
 }
@@ -129,7 +129,7 @@ std::vector<std::string> povray_arguments(const PovrayJob& job) {
                                      "+Oout.png",
                                      "+W" + std::to_string(job.width),
                                      "+H" + std::to_string(job.height),
-                                     job.output == PovrayOutput::png8 ? "+FN8" : "+FN16",
+                                     job.holds == Holds::bits8 ? "+FN8" : "+FN16",
                                      "-D",
                                      "-A",
                                      "File_Gamma=1.0",
@@ -177,14 +177,13 @@ PovrayPicture Povray::render(const PovrayJob& job) const {
   PovrayPicture picture;
   picture.cpu_seconds = result.cpu_seconds;
   picture.warnings = lines_with(result.output, {"Warning"}, job.text);
-  if (job.output != PovrayOutput::state) {
+  picture.holds = job.holds;
+  if (job.holds != Holds::float32) {
     picture.image = read_png(directory.path() + "/out.png", job);
-    picture.precision = job.output == PovrayOutput::png16 ? "png16" : "png8";
     return picture;
   }
   try {
     picture.image = read_povray_state(bytes_left(state, job), job.width, job.height);
-    picture.precision = "float32";
   } catch (const std::runtime_error& error) {
     fall_back_to_png(directory.path() + "/out.png", job, error.what(), picture);
   }

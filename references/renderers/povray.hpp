@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "references/renderers/holds.hpp"
 #include "tracer/image/image.hpp"
 
 namespace plumb::references {
@@ -15,13 +16,6 @@ class PovrayError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Which of POV-Ray's files its picture is read from.
-enum class PovrayOutput {
-  state,  ///< float32
-  png16,  ///< clamped at 1, linear
-  png8    ///< the same in 8 bits
-};
-
 struct PovrayJob {
   std::string text;  ///< SDL
   int width;
@@ -29,14 +23,15 @@ struct PovrayJob {
   bool without_bounding = false;  ///< -MB
   double time_limit_seconds = 600;
   std::vector<std::string> more_arguments{};  ///< after all others, which they override
-  PovrayOutput output = PovrayOutput::state;
+  /// Which of its files is read: its state file, or its linear PNG of so many bits, clamped at 1.
+  Holds holds = Holds::float32;
 };
 
 struct PovrayPicture {
   Image image;
   double cpu_seconds = 0;
-  std::string precision;  ///< "float32", "png16" (when the state file could not be used, too), or "png8"
-  std::string warnings;   ///< what POV-Ray warned of, a line each; empty when nothing
+  Holds holds = Holds::float32;  ///< as asked for, or bits16 when the state file could not be used
+  std::string warnings;          ///< what POV-Ray warned of, a line each; empty when nothing
 };
 
 /// The command line after the program's name; the same for every run, so that it can be recorded.

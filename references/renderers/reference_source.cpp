@@ -31,11 +31,10 @@ ReferencePicture ReferenceSource::picture(const PovrayJob& job) const {
   if (!found) {
     found = povray_->render(job);
     // Else it may go better next time.
-    if (found->precision == "float32") cache_.store(job, version_, *found);
+    if (found->holds == Holds::float32) cache_.store(job, version_, *found);
   }
-  const Precision precision = found->precision == "float32" ? Precision::float32 : Precision::bits16;
-  return {std::move(found->image),         precision, found->warnings,
-          cached ? 0 : found->cpu_seconds, cached,    false};
+  const double cpu_seconds = cached ? 0 : found->cpu_seconds;
+  return {std::move(found->image), found->holds, found->warnings, cpu_seconds, cached, false};
 }
 
 ReferencePicture ReferenceSource::stored_picture(const PovrayJob& job) const {
@@ -44,7 +43,7 @@ ReferencePicture ReferenceSource::stored_picture(const PovrayJob& job) const {
     throw PovrayError("no stored reference image for this export at " + std::to_string(job.width) + " x " +
                       std::to_string(job.height) + "; run with POV-Ray");
   }
-  return {stored_->load(*entry), Precision::float32, "", 0, true, true};
+  return {stored_->load(*entry), Holds::float32, "", 0, true, true};
 }
 
 }  // namespace plumb::references

@@ -4,7 +4,6 @@
 #include <memory>
 #include <string>
 
-#include "references/attribution/attribution.hpp"
 #include "references/renderers/cache.hpp"
 #include "references/renderers/povray.hpp"
 #include "references/renderers/stored.hpp"
@@ -13,7 +12,7 @@ namespace plumb::references {
 
 struct ReferencePicture {
   Image image;
-  Precision precision = Precision::float32;
+  Holds holds = Holds::float32;
   std::string warnings;    ///< of the renderer
   double cpu_seconds = 0;  ///< when it was rendered now
   bool cached = false;     ///< or stored: not rendered now

@@ -54,9 +54,8 @@ void reconcile(const Judgement& judgement, Budget& budget);
 /// undecided. Against a baseline that is no excuse.
 void settle_undecided(const AttributionJob& job, Budget& budget);
 
-/// Judges every pixel over the tolerance, row by row, until the work is done. `job.work` and what the job
-/// says of the reference's precision are not used: a value that was rounded or clamped is wrong like any
-/// other.
+/// Judges every pixel over the tolerance, row by row, until the work is done. `job.work` and `job.holds`
+/// are not used: a value that was rounded or clamped is wrong like any other.
 Judgement judge_pixels(const AttributionJob& job, double most_work = most_work_of_judgement);
 
 }  // namespace plumb::references

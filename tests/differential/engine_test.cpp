@@ -35,7 +35,7 @@ RenderJob small(const RenderOptions& options) {
 std::size_t unexplained(const Scene& scene, const Camera& camera, const RenderJob& job, const Image& engine) {
   const Image textbook = textbook::render(scene, camera, job);
   return references::attribute({scene, camera, job.options, textbook, engine, 1e-6,
-                                references::Precision::float32, references::Judge::baseline})
+                                references::Holds::float32, references::Judge::baseline})
       .count(references::Cause::unexplained);
 }
 

@@ -72,7 +72,7 @@ std::vector<Image> rendered_by_povray(const std::vector<PovrayJob>& jobs) {
   std::vector<Image> images;
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     PovrayPicture picture = running[i].get();
-    EXPECT_EQ(picture.precision, "float32");
+    EXPECT_EQ(picture.holds, references::Holds::float32);
     EXPECT_EQ(picture.warnings, "") << jobs[i].text;
     images.push_back(std::move(picture.image));
   }

@@ -25,6 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using references::Cache;
+using references::Holds;
 using references::Povray;
 using references::PovrayError;
 using references::PovrayJob;
@@ -148,7 +149,7 @@ TEST(PovrayRunner, WarningsAreTold) {
 TEST(PovrayRunner, ASceneThatIsFineGivesNoWarningsAndItsCpuTime) {
   const PovrayPicture picture = Povray().render(job_with_background("0.5,1.5,0.25"));
   EXPECT_EQ(picture.warnings, "");
-  EXPECT_EQ(picture.precision, "float32");
+  EXPECT_EQ(picture.holds, Holds::float32);
   EXPECT_GT(picture.cpu_seconds, 0);
   EXPECT_LT(picture.cpu_seconds, 10);
   for (int y = 0; y < height; ++y) {
@@ -251,7 +252,7 @@ TEST(PovrayRunner, WithoutAUsableStateFileItsPngIsTakenAndThatIsSaid) {
     const FakePovray fake(std::string(state) + "cp \"${0%/*}/good.png\" out.png\n");
     write_image(fake.workplace().path("good.png"), image, Encoding::linear);
     const PovrayPicture picture = Povray().render(job_with_background("0,0,0"));
-    EXPECT_EQ(picture.precision, "png16");
+    EXPECT_EQ(picture.holds, Holds::bits16);
     EXPECT_TRUE(has(picture.warnings, "state")) << picture.warnings;
     EXPECT_TRUE(has(picture.warnings, "clamped at 1")) << picture.warnings;
     ASSERT_EQ(picture.image.rgb.size(), image.rgb.size());
@@ -323,7 +324,7 @@ PovrayPicture some_picture() {
   picture.image.rgb[4] = -0.0F;
   picture.image.rgb[5] = std::numeric_limits<float>::quiet_NaN();
   picture.cpu_seconds = 0.125;
-  picture.precision = "png16";
+  picture.holds = Holds::bits16;
   picture.warnings = "Warning: one\nWarning: \"two\"";
   return picture;
 }
@@ -358,7 +359,7 @@ TEST_F(CacheOfPictures, WhatIsFoundIsTheSameToTheLastBit) {
     ASSERT_TRUE(found.has_value());
     EXPECT_TRUE(same_bits(found->image, stored.image));
     EXPECT_EQ(found->cpu_seconds, stored.cpu_seconds);
-    EXPECT_EQ(found->precision, stored.precision);
+    EXPECT_EQ(found->holds, stored.holds);
     EXPECT_EQ(found->warnings, stored.warnings);
   }
 }

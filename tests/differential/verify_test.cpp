@@ -235,7 +235,6 @@ TEST_F(Verify, AWrongPixelMakesItDifferAndIsTold) {
   references::PovrayPicture doctored;
   doctored.image = loaded.render();
   doctored.image.pixel(25, 16)[1] += 0.01F;
-  doctored.precision = "float32";
   cache.store(loaded.job(), cache.version_of(povray), doctored);
   const VerifyReport report = references::verify({scene, file("b.sdf", block)}, {}, {});
   EXPECT_EQ(statuses(report), (std::vector{Status::differ, Status::agree}));
@@ -258,7 +257,6 @@ TEST_F(Verify, APixelThatIsNotFiniteNeverAgrees) {
   references::PovrayPicture doctored;
   doctored.image = loaded.render();
   doctored.image.pixel(3, 3)[0] = std::numeric_limits<float>::quiet_NaN();
-  doctored.precision = "float32";
   cache.store(loaded.job(), cache.version_of(references::Povray()), doctored);
   const VerifyReport report = references::verify({scene}, {}, {});
   EXPECT_EQ(report.exit_code(), 1);
@@ -288,7 +286,6 @@ TEST_F(Verify, TiesAreCountedAndTheirShapesNamed) {
     // As if POV-Ray had taken the one box, and then the other, wherever both are.
     references::PovrayPicture picture;
     picture.image = loaded.with_nearer(nearer).render();
-    picture.precision = "float32";
     cache.store(loaded.job(), version, picture);
     const SceneResult result = references::verify({scene}, {}, {}).scenes.front();
     const std::size_t over = references::pixels_over(picture.image, ours, 1e-6).size();

@@ -62,9 +62,9 @@ Image picture(const Scene& scene, const RenderOptions& options = {}, int pixels 
 }
 
 Budget budget_of(const Scene& scene, const Image& reference, const Image& test,
-                 references::Precision precision = references::Precision::float32) {
+                 references::Holds holds = references::Holds::float32) {
   const Budget budget =
-      references::attribute({scene, scene.cameras.front(), {}, reference, test, 1e-6, precision});
+      references::attribute({scene, scene.cameras.front(), {}, reference, test, 1e-6, holds});
   std::size_t sum = 0;
   for (std::size_t i = 0; i < references::cause_count; ++i) sum += budget.count(static_cast<Cause>(i));
   EXPECT_EQ(sum, references::pixels_over(reference, test, 1e-6).size()) << "each pixel over has one cause";
@@ -153,7 +153,7 @@ TEST(Attribution, AVastSkyExcusesNothingSmall) {
       const Image reference = picture(moved);
       const Image test = picture(scene);
       const Budget budget = references::attribute(
-          {scene, scene.cameras.front(), {}, reference, test, 1e-6, references::Precision::float32, judge});
+          {scene, scene.cameras.front(), {}, reference, test, 1e-6, references::Holds::float32, judge});
       EXPECT_GT(budget.pixels.size(), 0U);
       EXPECT_EQ(budget.explained(), 0U) << sky;
     }
@@ -172,7 +172,7 @@ TEST(Attribution, AgainstABaselineNothingOfPovraysIsExcused) {
                                                reference,
                                                test,
                                                1e-6,
-                                               references::Precision::float32,
+                                               references::Holds::float32,
                                                references::Judge::baseline});
   EXPECT_GT(budget.pixels.size(), 0U);
   EXPECT_EQ(budget.explained(), 0U);
@@ -188,12 +188,12 @@ define shape sphere ball 1 0 -4 0.5 other
   const Image test = picture(scene);
   Image reference = test;
   for (float& v : reference.rgb) v = std::round(std::clamp(v, 0.0F, 1.0F) * 255) / 255;
-  const Budget budget = budget_of(scene, reference, test, references::Precision::bits8);
+  const Budget budget = budget_of(scene, reference, test, references::Holds::bits8);
   EXPECT_EQ(budget.count(Cause::unexplained), 0U);
   EXPECT_GT(budget.count(Cause::clamped), 0U);
   EXPECT_GT(budget.count(Cause::quantisation), 0U);
   reference.rgb[0] += 2.0F / 255;
-  EXPECT_EQ(budget_of(scene, reference, test, references::Precision::bits8).count(Cause::unexplained), 1U);
+  EXPECT_EQ(budget_of(scene, reference, test, references::Holds::bits8).count(Cause::unexplained), 1U);
   EXPECT_GT(budget_of(scene, reference, test).count(Cause::unexplained), 30U)
       << "a reference of floats has no such excuse";
 }
@@ -210,7 +210,7 @@ define shape box back -9 -9 -5 9 9 -4 wall
   Image reference = right;
   for (float& v : reference.rgb) v = std::round(std::clamp(v, 0.0F, 1.0F) * 255) / 255;
   const auto clamped = [&](const Image& test) {
-    return budget_of(scene, reference, test, references::Precision::bits8).count(Cause::clamped);
+    return budget_of(scene, reference, test, references::Holds::bits8).count(Cause::clamped);
   };
   const std::size_t all = clamped(right);
   ASSERT_GT(all, 3U);
@@ -219,7 +219,7 @@ define shape box back -9 -9 -5 9 9 -4 wall
     for (int c = 0; c < 3; ++c) wrong.pixel(3, y)[c] += wrong.pixel(3, y)[c] > 1 ? 0.01F : 0.0F;
   }
   EXPECT_LT(clamped(wrong), all);
-  EXPECT_EQ(budget_of(scene, reference, wrong, references::Precision::bits8).count(Cause::unexplained),
+  EXPECT_EQ(budget_of(scene, reference, wrong, references::Holds::bits8).count(Cause::unexplained),
             all - clamped(wrong));
 }
 

@@ -68,16 +68,16 @@ Configuration textbook_way(const MethodSet& methods, RealType real) {
   return way;
 }
 
-PovrayJob povray_job(const ChartView& view, const std::vector<std::string>& arguments, PovrayOutput output,
-                     int width, int height) {
+PovrayJob povray_job(const ChartView& view, const std::vector<std::string>& arguments, Holds holds, int width,
+                     int height) {
   const auto exported = exporters::export_povray(view.scene, view.camera, width, height, view.job.options);
   PovrayJob job{exported.text, width, height, exported.needs_flat_objects};
   job.more_arguments = arguments;
-  job.output = output;
+  job.holds = holds;
   return job;
 }
 
-Configuration povray_way(const Povray& povray, std::string id, std::string title, PovrayOutput output,
+Configuration povray_way(const Povray& povray, std::string id, std::string title, Holds holds,
                          const std::vector<std::string>& arguments) {
   Configuration way;
   way.id = way.work = "povray-" + std::move(id);
@@ -85,9 +85,9 @@ Configuration povray_way(const Povray& povray, std::string id, std::string title
   way.renderer = "povray";
   way.real = "double";
   way.hierarchy = true;
-  way.output = output == PovrayOutput::state ? "float32" : output == PovrayOutput::png16 ? "png16" : "png8";
-  const auto run = [&povray, output, arguments](const ChartView& view, int width, int height) {
-    return povray.render(povray_job(view, arguments, output, width, height)).image;
+  way.output = to_string(holds);
+  const auto run = [&povray, holds, arguments](const ChartView& view, int width, int height) {
+    return povray.render(povray_job(view, arguments, holds, width, height)).image;
   };
   way.render = [run](const ChartView& view) { return run(view, view.job.width, view.job.height); };
   way.start = [run](const ChartView& view) { run(view, 2, 2); };
@@ -98,7 +98,7 @@ Configuration povray_way(const Povray& povray, std::string id, std::string title
 /// samples where neighbours differ by more than the threshold; without jitter, so that runs repeat.
 Configuration antialiased(const Povray& povray, const std::string& id, const std::string& title,
                           const std::string& threshold, int edge) {
-  Configuration way = povray_way(povray, id, title, PovrayOutput::state,
+  Configuration way = povray_way(povray, id, title, Holds::float32,
                                  {"+A" + threshold, "+AM1", "+R" + std::to_string(edge), "-J"});
   way.samples = 1 + edge * edge;
   way.truth = Truth::pixel_areas;
@@ -106,12 +106,12 @@ Configuration antialiased(const Povray& povray, const std::string& id, const std
 }
 
 void add_povray(const Povray& povray, std::vector<Configuration>& ways) {
-  ways.push_back(povray_way(povray, "state", "state file", PovrayOutput::state, {}));
+  ways.push_back(povray_way(povray, "state", "state file", Holds::float32, {}));
   // One run writes both files.
-  ways.push_back(povray_way(povray, "png16", "PNG16", PovrayOutput::png16, {}));
+  ways.push_back(povray_way(povray, "png16", "PNG16", Holds::bits16, {}));
   ways.back().work = "povray-state";
-  ways.push_back(povray_way(povray, "png8", "PNG8", PovrayOutput::png8, {}));
-  ways.push_back(povray_way(povray, "samples-1", "1 sample", PovrayOutput::state, {}));
+  ways.push_back(povray_way(povray, "png8", "PNG8", Holds::bits8, {}));
+  ways.push_back(povray_way(povray, "samples-1", "1 sample", Holds::float32, {}));
   ways.back().work = "povray-state";
   ways.back().truth = Truth::pixel_areas;
   ways.push_back(antialiased(povray, "aa-default", "+A0.3 +R3", "0.3", 3));

@@ -39,8 +39,8 @@ Image with_pixels_of(const Image& right, const Image& given, const std::vector<P
   return mixed;
 }
 
-Budget budget_of(const Subject& s, const Image& given, references::Precision precision) {
-  return references::attribute({s.scene, s.camera, s.job.options, given, s.right, tolerance, precision});
+Budget budget_of(const Subject& s, const Image& given, references::Holds holds) {
+  return references::attribute({s.scene, s.camera, s.job.options, given, s.right, tolerance, holds});
 }
 
 /// Whether a condition holds for all pixels over the tolerance. Proving a pixel takes thousands of rays, and
@@ -60,12 +60,12 @@ bool holds_for_all_over(const Subject& s, const Image& given, const Condition& h
   return true;
 }
 
-OurVerdict verdict_with(const Subject& s, const Image& given, references::Precision precision) {
+OurVerdict verdict_with(const Subject& s, const Image& given, references::Holds holds) {
   const auto is_explained = [&](const Image& some) {
-    return budget_of(s, some, precision).count(Cause::unexplained) == 0;
+    return budget_of(s, some, holds).count(Cause::unexplained) == 0;
   };
   if (!holds_for_all_over(s, given, is_explained)) return OurVerdict::unexplained;
-  const Budget whole = budget_of(s, given, precision);
+  const Budget whole = budget_of(s, given, holds);
   const bool is_bounded = references::broken_bound(whole, given.width, given.height).empty();
   return is_bounded ? OurVerdict::passes : OurVerdict::out_of_bounds;
 }
@@ -91,13 +91,13 @@ OurVerdict our_verdict(const Subject& subject, const Image& given, Made made) {
     case Made::sampled_nearby:
       return verdict_within(subject, given, nearby_resolution);
     case Made::bits8_rounded:
-      return verdict_with(subject, given, references::Precision::bits8);
+      return verdict_with(subject, given, references::Holds::bits8);
     case Made::bits8_truncated:
-      return verdict_with(subject, centred(given), references::Precision::bits8);
+      return verdict_with(subject, centred(given), references::Holds::bits8);
     case Made::in_double:
       break;
   }
-  return verdict_with(subject, given, references::Precision::float32);
+  return verdict_with(subject, given, references::Holds::float32);
 }
 
 }  // namespace plumb::gate_power
