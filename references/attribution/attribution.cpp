@@ -17,10 +17,10 @@
 namespace plumb::references {
 namespace {
 
-constexpr double smallest_jump = 1e-5;  // moving by 1e-8 changes a smooth pixel by far less
-constexpr int patterns = 48;            // two surfaces stay in one order in all of them once in 2^47 cases
-constexpr int most_patterns = 4096;     // for pixels that vary: many ties in one ray tree have many outcomes
-constexpr int patterns_of_one = 6;      // of a single shape, to find out whether it takes part
+constexpr double smallest_jump = 1e3;  // times the move: a smooth pixel changes by far less
+constexpr int patterns = 48;           // two surfaces stay in one order in all of them once in 2^47 cases
+constexpr int most_patterns = 4096;    // for pixels that vary: many ties in one ray tree have many outcomes
+constexpr int patterns_of_one = 6;     // of a single shape, to find out whether it takes part
 constexpr std::size_t pixels_named = 64;  // the shapes are looked for in so many pixels
 
 // A picture that differs as a whole is no matter of chance: one pixel of the sample that has no cause settles
@@ -51,7 +51,7 @@ class Attribution {
   explicit Attribution(const AttributionJob& job)
       : job_(job),
         scene_(with_instances_apart(job.scene)),
-        perturbation_(scene_, job.camera, job.judge),
+        perturbation_(scene_, job.camera, job.resolution),
         work_(job.work),
         still_(scene_, job, job.options, work_) {}
 
@@ -96,7 +96,7 @@ class Attribution {
 
   void explain(const Pixels& pixels) {
     explain_by_moves(pixels);
-    if (job_.judge == Judge::baseline) return;
+    if (job_.resolution.is_of_plumb) return;
     for (const int more : {-1, 1}) explain_by_depth(job_.options.depth + more, pixels);
   }
 
@@ -211,11 +211,12 @@ class Attribution {
   /// two values are more than the tolerance apart, and each outcome is nearly one of them.
   double jump_of(int pattern) const {
     const double factor = pattern == no_pattern ? 1e-3 : Perturbation::factor(pattern);
-    return std::max(job_.tolerance / 2, factor * smallest_jump * resolution_of(job_.judge) / 1e-8);
+    return std::max(job_.tolerance / 2, factor * smallest_jump * job_.resolution.step);
   }
 
   std::optional<Cause> divergence(const Suspect& s) const {
-    return first_divergence(tree(*s.as_test, s), tree(*s.as_reference, s), perturbation_.extent());
+    return first_divergence(tree(*s.as_test, s), tree(*s.as_reference, s), perturbation_.extent(),
+                            job_.resolution);
   }
 
   RayNode tree(int pattern, const Suspect& s) const {
@@ -321,8 +322,8 @@ class Attribution {
       const bool both = ours && other && is_within(test(p), ours->data(), job_.tolerance) &&
                         is_within(reference(p), other->data(), job_.tolerance) &&
                         !is_within(ours->data(), other->data(), job_.tolerance);
-      if (both &&
-          first_divergence(still_.tree_of(p), tracer.tree_of(p), perturbation_.extent()) == Cause::depth)
+      if (both && first_divergence(still_.tree_of(p), tracer.tree_of(p), perturbation_.extent(),
+                                   job_.resolution) == Cause::depth)
         p.cause = Cause::depth;
     }
   }

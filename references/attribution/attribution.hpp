@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "references/attribution/perturbation.hpp"
 #include "references/comparison/comparison.hpp"
 #include "references/renderers/holds.hpp"
+#include "references/renderers/resolution.hpp"
 #include "tracer/scene/render_options.hpp"
 #include "tracer/scene/scene.hpp"
 
@@ -63,8 +63,8 @@ struct AttributionJob {
   const Image& reference;
   const Image& test;
   double tolerance;              ///< as in compare()
+  const Resolution& resolution;  ///< of what made the reference
   Holds holds = Holds::float32;  ///< the reference
-  Judge judge = Judge::povray;
   double work = 2.5e8;  ///< units of Work that are spent at most, about 5 s; a fifth more to name the shapes
 };
 

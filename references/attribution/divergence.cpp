@@ -11,15 +11,14 @@ using textbook::LightSeen;
 using textbook::no_instance;
 using textbook::SurfaceId;
 
-constexpr double one_place = 1e-6;   // of the extent: 100 steps, for rays that graze the surfaces
-constexpr double resolved = 2.5e-8;  // of the extent: two steps; beyond, only POV-Ray's shadow tolerance acts
-constexpr double shadow_tolerance = 2e-7;  // of the extent: twice POV-Ray's
-
 bool is_seen(const LightSeen<double>& light) { return light.counts && light.delta != Rgbd(0); }
 
 class Divergence {
  public:
-  explicit Divergence(double extent) : extent_(extent) {}
+  Divergence(double extent, const Resolution& resolution)
+      : one_place_(resolution.one_place * extent),
+        told_apart_(resolution.told_apart * extent),
+        shadow_(resolution.shadow * extent) {}
 
   /// `start` is the surface that both rays start on.
   std::optional<Cause> first(const RayNode& a, const RayNode& b, SurfaceId start) const {
@@ -47,8 +46,8 @@ class Divergence {
     };
     const RayNode& nearer = t(a) < t(b) ? a : b;
     const bool are_two = surface(a).instance != surface(b).instance;
-    if (std::abs(t(a) - t(b)) <= one_place * extent_ && are_two) return Cause::coincident;
-    if (t(nearer) <= one_place * extent_ && a.kind != textbook::RayKind::camera) {
+    if (std::abs(t(a) - t(b)) <= one_place_ && are_two) return Cause::coincident;
+    if (t(nearer) <= one_place_ && a.kind != textbook::RayKind::camera) {
       return surface(nearer).instance == start.instance ? Cause::reference_tolerance : Cause::coincident;
     }
     return edge(a, Cause::silhouette);
@@ -69,11 +68,10 @@ class Divergence {
     const double from_point = hidden.blocker.t;
     const double from_light = std::abs(hidden.distance - hidden.blocker.t);
     const double nearest = std::min(from_point, from_light);
-    if (!hidden.counts || hidden.blocker.surface.instance == no_instance ||
-        nearest > shadow_tolerance * extent_)
+    if (!hidden.counts || hidden.blocker.surface.instance == no_instance || nearest > shadow_)
       return edge(node, Cause::shadow_edge);
     const bool is_other = hidden.blocker.surface.instance != surface(node).instance;
-    return is_other && from_point <= resolved * extent_ ? Cause::coincident : Cause::reference_tolerance;
+    return is_other && from_point <= told_apart_ ? Cause::coincident : Cause::reference_tolerance;
   }
 
   static bool have_same_kinds(const RayNode& a, const RayNode& b) {
@@ -81,13 +79,14 @@ class Divergence {
                       [](const RayNode& x, const RayNode& y) { return x.kind == y.kind; });
   }
 
-  double extent_;
+  double one_place_, told_apart_, shadow_;  // in world lengths
 };
 
 }  // namespace
 
-std::optional<Cause> first_divergence(const RayNode& ours, const RayNode& other, double extent) {
-  return Divergence(extent).first(ours, other, {});
+std::optional<Cause> first_divergence(const RayNode& ours, const RayNode& other, double extent,
+                                      const Resolution& resolution) {
+  return Divergence(extent, resolution).first(ours, other, {});
 }
 
 }  // namespace plumb::references

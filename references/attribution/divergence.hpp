@@ -9,8 +9,9 @@
 namespace plumb::references {
 
 /// The cause by the first difference of the trees, from the camera on: another hit, then another light seen,
-/// then other rays that follow. Surfaces within 1e-6 of `extent` (world lengths) along a ray are at one
-/// place. Nothing when both trees meet the same.
-std::optional<Cause> first_divergence(const RayNode& ours, const RayNode& other, double extent);
+/// then other rays that follow. `extent`, in world lengths, is what the shares of the resolution are of.
+/// Nothing when both trees meet the same.
+std::optional<Cause> first_divergence(const RayNode& ours, const RayNode& other, double extent,
+                                      const Resolution& resolution);
 
 }  // namespace plumb::references

@@ -5,14 +5,14 @@
 #include <optional>
 #include <random>
 
-#include "exporters/povray.hpp"
 #include "tracer/scene/each_kind.hpp"
 #include "tracer/scene/hierarchy.hpp"
 
 namespace plumb::references {
 namespace {
 
-constexpr double one_edge = 1e-7;  // of the way to it; ten steps of POV-Ray's resolution
+/// Of the way to a box. An entry of the table has no state of its own, so it is the thread's.
+thread_local double touched_edge = 0;
 
 /// Where a ray only touches the edge of a box, it enters and leaves at once: this takes the face it leaves
 /// by.
@@ -22,11 +22,10 @@ std::optional<FaceHit<double>> leaving_at_edges(const Ray<double>& ray, const Co
   if (!hit || start != no_face) return hit;
   const auto leaving =
       formulas::intersect_box({formulas::point_at(ray, hit->t), ray.direction}, box, hit->face);
-  return leaving && leaving->t <= one_edge * hit->t ? FaceHit<double>{hit->t, leaving->face} : *hit;
+  return leaving && leaving->t <= touched_edge * hit->t ? FaceHit<double>{hit->t, leaving->face} : *hit;
 }
 
 /// What is as near to the lit point, or to the light, as that is taken for the surface itself, or the light.
-/// An entry of the table has no state of its own, so it is the thread's.
 thread_local double nearest_blocker = 0;
 
 bool blocks_from_afar(double t, double light_distance) {
@@ -98,11 +97,6 @@ ShapeId copy_apart(const Scene& from, ShapeId id, Scene& to) {
 
 }  // namespace
 
-double exported_extent(const Scene& scene, const Camera& camera) {
-  constexpr double units = 1e4;
-  return units / exporters::export_space(scene, camera).scale;
-}
-
 Scene with_instances_apart(const Scene& scene) {
   constexpr std::uint64_t most = 2000;
   const std::vector<ShapeId> roots = scene.roots();
@@ -116,12 +110,11 @@ Scene with_instances_apart(const Scene& scene) {
   return apart;
 }
 
-double resolution_of(Judge judge) { return judge == Judge::povray ? 1e-8 : 1e-12; }
-
-Perturbation::Perturbation(const Scene& scene, const Camera& camera, Judge judge)
+Perturbation::Perturbation(const Scene& scene, const Camera& camera, const Resolution& resolution)
     : scene_(scene),
-      extent_(exported_extent(scene, camera)),
-      step_(resolution_of(judge) * extent_),
+      resolution_(resolution),
+      extent_(resolution.extent(scene, camera)),
+      step_(resolution.step * extent_),
       steps_(scene.shapes.size(), 0) {
   const double wanted = step_;
   const std::vector<double> enlargement = enlargements(scene);
@@ -170,7 +163,8 @@ textbook::FormulaTable<double> Perturbation::reference_shadows() {
 
 void Perturbation::begin_pixel(int pattern, std::size_t pixel) const {
   nearest_hit = step_;
-  nearest_blocker = 10 * nearest_hit;  // POV-Ray's shadow tolerance, 1e-3 of 1e4 units
+  nearest_blocker = resolution_.steps_to_blocker * nearest_hit;
+  touched_edge = resolution_.touched_edge;
   chance.seed(static_cast<std::uint32_t>(pattern) * 7919U + static_cast<std::uint32_t>(pixel) + 1U);
 }
 

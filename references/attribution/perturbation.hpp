@@ -4,35 +4,26 @@
 #include <cstddef>
 #include <vector>
 
+#include "references/renderers/resolution.hpp"
 #include "tracer/scene/scene.hpp"
 #include "tracer/textbook/formula_table.hpp"
 
 namespace plumb::references {
 
-/// What made the picture that is taken for right, and so what it does not resolve, as a share of the extent.
-enum class Judge {
-  povray,  ///< 1e-8: it takes the nearer of two hits only when they are 1e-4 units apart, of 1e4 in an export
-  baseline,  ///< 1e-12: plumb itself, on another machine; only roundings differ
-};
-double resolution_of(Judge judge);
-
-/// What 1e4 units of the export are in the scene.
-double exported_extent(const Scene& scene, const Camera& camera);
-
 /// The same world, in which every instance of a shared shape is one of its own, so that each can be moved
 /// alone; or the scene as it is, when those would be more than 2,000.
 Scene with_instances_apart(const Scene& scene);
 
-/// Numbered patterns of moves: each sphere and each face of a box by the step, one way or the other, or by a
-/// thousandth of it. In some patterns a ray that only touches an edge takes the face that it leaves by; what
-/// is nearer to a lit point than 10 steps casts no shadow on it; or hits within a step are one: not met at
-/// the start of a ray, and taken by chance elsewhere.
+/// Numbered patterns of moves: each sphere and each face of a box by the reference's step, one way or the
+/// other, or by a thousandth of it. In some patterns a ray that only touches an edge takes the face that it
+/// leaves by; what is as near to a lit point as casts no shadow in the reference casts none; or hits within a
+/// step are one: not met at the start of a ray, and taken by chance elsewhere.
 class Perturbation {
  public:
-  /// Both must outlive it. No shape is moved by more than 1e-5 of its size, and the step of the formulas is
+  /// All must outlive it. No shape is moved by more than 1e-5 of its size, and the step of the formulas is
   /// at most that of the smallest shape: in a scene with a vast sky nothing small is moved by what is
   /// visible.
-  Perturbation(const Scene& scene, const Camera& camera, Judge judge);
+  Perturbation(const Scene& scene, const Camera& camera, const Resolution& resolution);
 
   double extent() const { return extent_; }
   /// How far the pattern moves, in steps.
@@ -40,13 +31,14 @@ class Perturbation {
   Scene moved(int pattern) const;
   Scene with_one_moved(ShapeId shape, int pattern) const;
   static textbook::FormulaTable<double> formulas(int pattern);
-  /// What is nearer to a lit point than 10 steps casts no shadow on it.
+  /// What is as near to a lit point as casts no shadow in the reference casts none.
   static textbook::FormulaTable<double> reference_shadows();
   /// To be called in the thread that traces, before each pixel: the formulas of a pattern have a state.
   void begin_pixel(int pattern, std::size_t pixel) const;
 
  private:
   const Scene& scene_;
+  const Resolution& resolution_;
   double extent_;
   double step_;                // of the formulas, in world lengths
   std::vector<double> steps_;  // in the space of each shape

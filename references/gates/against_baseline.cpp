@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "references/renderers/baseline.hpp"
+
 namespace plumb::references {
 namespace {
 
@@ -31,17 +33,15 @@ BoundedComparison judge_own(const Scene& scene, const Camera& camera, const Rend
   const bool is_whole = !job.bounds.has_regions() && !job.bounds.limit.is_relative();
   const Image allowed = is_whole ? Image() : with_what_is_allowed(job);
   const Image& test = is_whole ? job.image : allowed;
-  const AttributionJob traced{scene,          camera,         options,
-                              job.baseline,   test,           job.bounds.limit.tolerance,
-                              Holds::float32, Judge::baseline};
+  const AttributionJob traced{
+      scene, camera, options, job.baseline, test, job.bounds.limit.tolerance, baseline_resolution()};
   judge(traced, result);
   result.comparison = bounded.comparison;
   result.mask = mask_of(job.bounds, job.image.width, job.image.height);
   if (bounded.agrees()) result.status = Status::agree;
   if (job.keeps_pictures) {
-    const AttributionJob shown{scene,          camera,         options,
-                               job.baseline,   job.image,      job.bounds.limit.tolerance,
-                               Holds::float32, Judge::baseline};
+    const AttributionJob shown{
+        scene, camera, options, job.baseline, job.image, job.bounds.limit.tolerance, baseline_resolution()};
     result.pictures = pictures_of(shown, result.comparison, result.budget);
   }
   return bounded;

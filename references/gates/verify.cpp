@@ -146,7 +146,8 @@ class SceneVerifier {
 
   AttributionJob job(const Scene& scene, const RenderOptions& render, const ReferencePicture& reference,
                      const Image& ours) const {
-    return {scene, camera_, render, reference.image, ours, options_.tolerance, reference.holds};
+    return {scene,          camera_, render, reference.image, ours, options_.tolerance, povray_resolution(),
+            reference.holds};
   }
 
   ReferencePicture picture_of(const Scene& scene, const RenderOptions& render) const {

@@ -12,6 +12,7 @@
 #include <sstream>
 #include <utility>
 
+#include "exporters/povray.hpp"
 #include "references/renderers/povray_state.hpp"
 #include "references/system/process.hpp"
 #include "tracer/image/io.hpp"
@@ -122,7 +123,27 @@ void fall_back_to_png(const std::string& path, const PovrayJob& job, const std::
                       ": 16 bits of its PNG are used, clamped at 1 and off by up to 7.7e-6";
 }
 
+/// An exported scene spans about so many of POV-Ray's units, in which its tolerances are.
+constexpr double exported_units = 1e4;
+
+double exported_extent(const Scene& scene, const Camera& camera) {
+  return exported_units / exporters::export_space(scene, camera).scale;
+}
+
 }  // namespace
+
+const Resolution& povray_resolution() {
+  static constexpr Resolution resolution{
+      .extent = &exported_extent,
+      .step = 1e-4 / exported_units,  // because it takes the nearer of two hits only when they are 1e-4 apart
+      .steps_to_blocker = 10,         // because its shadow tolerance is 1e-3
+      .touched_edge = 1e-7,           // ten steps
+      .one_place = 1e-6,              // 100 steps, for rays that graze the surfaces
+      .told_apart = 2.5e-8,           // two steps; beyond, only the shadow tolerance acts
+      .shadow = 2e-7,                 // twice the shadow tolerance
+      .is_of_plumb = false};
+  return resolution;
+}
 
 std::vector<std::string> povray_arguments(const PovrayJob& job) {
   std::vector<std::string> arguments{"+Iin.pov",

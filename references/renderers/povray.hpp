@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "references/renderers/holds.hpp"
+#include "references/renderers/resolution.hpp"
 #include "tracer/image/image.hpp"
 
 namespace plumb::references {
@@ -36,6 +37,9 @@ struct PovrayPicture {
 
 /// The command line after the program's name; the same for every run, so that it can be recorded.
 std::vector<std::string> povray_arguments(const PovrayJob& job);
+
+/// Of POV-Ray 3.7 with the scenes that plumb exports.
+const Resolution& povray_resolution();
 
 class Povray {
  public:

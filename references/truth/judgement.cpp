@@ -149,7 +149,7 @@ void reconcile(const Judgement& judgement, Budget& budget) {
 void settle_undecided(const AttributionJob& job, Budget& budget) {
   const std::size_t left = budget.count(Cause::unexplained);
   const std::size_t pixels = job.test.rgb.size() / 3;
-  if (job.judge == Judge::baseline || left == 0 || 100 * left > pixels) return;
+  if (job.resolution.is_of_plumb || left == 0 || 100 * left > pixels) return;
   const PixelJudge judge(job, most_work_of_judgement);
   for (AttributedPixel& p : budget.pixels) {
     if (p.cause == Cause::unexplained && judge.leaves_open({p.x, p.y})) p.cause = Cause::undecided;

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "references/renderers/ours.hpp"
+#include "references/renderers/povray.hpp"
 #include "references/truth/judgement.hpp"
 #include "tests/support/random_scene.hpp"
 #include "tracer/format/reader.hpp"
@@ -34,8 +35,8 @@ TEST(JudgedScenes, OursIsNowhereWrong) {
     job.real = RealType::float64;
     for (const Renderer renderer : {Renderer::textbook, Renderer::engine}) {
       const Image ours = references::render(renderer, scene, camera, job);
-      const Judgement judgement =
-          references::judge_pixels({scene, camera, random.options, oracle, ours, 1e-6}, enough);
+      const Judgement judgement = references::judge_pixels(
+          {scene, camera, random.options, oracle, ours, 1e-6, references::povray_resolution()}, enough);
       EXPECT_EQ(judgement.pixels.size(), judgement.count(Verdict::undecided))
           << "seed " << seed << ": " << judgement.note();
       EXPECT_EQ(judgement.not_judged, 0U) << "seed " << seed << ": " << judgement.note();

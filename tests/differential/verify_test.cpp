@@ -333,7 +333,8 @@ references::Budget budget_of(const Loaded& loaded, const Image& reference,
   Image test = reference;
   const Image ours = loaded.render();
   for (const auto& p : places) std::copy_n(ours.pixel(p.x, p.y), 3, test.pixel(p.x, p.y));
-  return references::attribute({loaded.scene, loaded.camera(), {}, reference, test, 1e-6});
+  return references::attribute(
+      {loaded.scene, loaded.camera(), {}, reference, test, 1e-6, references::povray_resolution()});
 }
 
 /// How many of the places that are over are explained.

@@ -9,7 +9,8 @@
 #include <limits>
 #include <string>
 
-#include "references/attribution/perturbation.hpp"
+#include "references/renderers/baseline.hpp"
+#include "references/renderers/povray.hpp"
 #include "tests/support/run.hpp"
 #include "tracer/format/reader.hpp"
 #include "tracer/textbook/render.hpp"
@@ -63,8 +64,8 @@ Image picture(const Scene& scene, const RenderOptions& options = {}, int pixels 
 
 Budget budget_of(const Scene& scene, const Image& reference, const Image& test,
                  references::Holds holds = references::Holds::float32) {
-  const Budget budget =
-      references::attribute({scene, scene.cameras.front(), {}, reference, test, 1e-6, holds});
+  const Budget budget = references::attribute(
+      {scene, scene.cameras.front(), {}, reference, test, 1e-6, references::povray_resolution(), holds});
   std::size_t sum = 0;
   for (std::size_t i = 0; i < references::cause_count; ++i) sum += budget.count(static_cast<Cause>(i));
   EXPECT_EQ(sum, references::pixels_over(reference, test, 1e-6).size()) << "each pixel over has one cause";
@@ -105,7 +106,7 @@ define light key 0 6 2 1 1 1 1
 define shape box back -9 -9 -5 9 9 -4 wall
 )";
   Scene scene = scene_of(without + "define shape box near -1 5 1 1 7 1.5 other\n");
-  const double extent = references::exported_extent(scene, scene.cameras.front());
+  const double extent = references::povray_resolution().extent(scene, scene.cameras.front());
   Box& near = std::get<Box>(scene.shapes[1].geometry);
   near.min.z = 2 - 4.5e-8 * extent;
   near.max.z = 2 - 3e-8 * extent;
@@ -149,11 +150,17 @@ TEST(Attribution, AVastSkyExcusesNothingSmall) {
     const Scene scene = scene_of(text);
     Scene moved = scene;
     std::get<Sphere>(moved.shapes[1].geometry).radius *= 1.3;
-    for (const references::Judge judge : {references::Judge::povray, references::Judge::baseline}) {
+    for (const bool is_ours : {false, true}) {
       const Image reference = picture(moved);
       const Image test = picture(scene);
       const Budget budget = references::attribute(
-          {scene, scene.cameras.front(), {}, reference, test, 1e-6, references::Holds::float32, judge});
+          {scene,
+           scene.cameras.front(),
+           {},
+           reference,
+           test,
+           1e-6,
+           is_ours ? references::baseline_resolution() : references::povray_resolution()});
       EXPECT_GT(budget.pixels.size(), 0U);
       EXPECT_EQ(budget.explained(), 0U) << sky;
     }
@@ -166,14 +173,8 @@ TEST(Attribution, AgainstABaselineNothingOfPovraysIsExcused) {
   shallow.depth = 1;
   const Image reference = picture(scene, shallow);
   const Image test = picture(scene);
-  const Budget budget = references::attribute({scene,
-                                               scene.cameras.front(),
-                                               {},
-                                               reference,
-                                               test,
-                                               1e-6,
-                                               references::Holds::float32,
-                                               references::Judge::baseline});
+  const Budget budget = references::attribute(
+      {scene, scene.cameras.front(), {}, reference, test, 1e-6, references::baseline_resolution()});
   EXPECT_GT(budget.pixels.size(), 0U);
   EXPECT_EQ(budget.explained(), 0U);
 }
@@ -234,7 +235,8 @@ define shape sphere inner 0 0 -5 2 both
   const Image reference = picture(scene);
   Image test = reference;
   for (float& v : test.rgb) v += 0.1F;
-  const Budget budget = references::attribute({scene, scene.cameras.front(), deep, reference, test, 1e-6});
+  const Budget budget = references::attribute(
+      {scene, scene.cameras.front(), deep, reference, test, 1e-6, references::povray_resolution()});
   EXPECT_EQ(budget.count(Cause::unexplained), static_cast<std::size_t>(side * side));
 }
 
@@ -297,7 +299,8 @@ TEST(Attribution, WhatIsLeftWhenTheWorkIsOverIsUnexamined) {
   std::get<Box>(moved.shapes[1].geometry).max.z += 1e-9;
   const Image reference = picture(moved);
   const Image test = picture(scene);
-  references::AttributionJob job{scene, scene.cameras.front(), {}, reference, test, 1e-6};
+  references::AttributionJob job{scene, scene.cameras.front(),          {}, reference, test,
+                                 1e-6,  references::povray_resolution()};
   const Budget whole = references::attribute(job);
   ASSERT_EQ(whole.count(Cause::coincident), whole.pixels.size());
   EXPECT_EQ(whole.unexamined, 0U);

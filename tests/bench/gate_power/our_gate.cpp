@@ -5,6 +5,7 @@
 
 #include "references/attribution/attribution.hpp"
 #include "references/comparison/comparison.hpp"
+#include "references/renderers/povray.hpp"
 #include "tests/bench/gate_power/resolution.hpp"
 
 namespace plumb::gate_power {
@@ -40,7 +41,8 @@ Image with_pixels_of(const Image& right, const Image& given, const std::vector<P
 }
 
 Budget budget_of(const Subject& s, const Image& given, references::Holds holds) {
-  return references::attribute({s.scene, s.camera, s.job.options, given, s.right, tolerance, holds});
+  return references::attribute(
+      {s.scene, s.camera, s.job.options, given, s.right, tolerance, references::povray_resolution(), holds});
 }
 
 /// Whether a condition holds for all pixels over the tolerance. Proving a pixel takes thousands of rays, and
