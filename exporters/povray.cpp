@@ -310,14 +310,12 @@ ExportSpace export_space(const Scene& scene, const Camera& camera) {
   return {std::ldexp(1.0, exponent), is_far_off ? middle : Vec3d(0)};
 }
 
-PovrayExport export_povray(const Scene& scene, const Camera& camera, int width, int height,
-                           const RenderOptions& options) {
-  return export_povray(scene, camera, width, height, options, export_space(scene, camera));
+PovrayExport export_povray(const Shot& shot) {
+  return export_povray(shot, export_space(shot.scene, shot.camera));
 }
 
-PovrayExport export_povray(const Scene& scene, const Camera& camera, int width, int height,
-                           const RenderOptions& options, const ExportSpace& space) {
-  return Exporter(scene, camera, width, height, options, space).write();
+PovrayExport export_povray(const Shot& shot, const ExportSpace& space) {
+  return Exporter(shot.scene, shot.camera, shot.width, shot.height, shot.options, space).write();
 }
 
 }  // namespace plumb::exporters

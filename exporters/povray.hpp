@@ -3,8 +3,7 @@
 
 #include <string>
 
-#include "tracer/scene/render_options.hpp"
-#include "tracer/scene/scene.hpp"
+#include "tracer/scene/shot.hpp"
 
 namespace plumb::exporters {
 
@@ -27,13 +26,11 @@ struct PovrayExport {
   bool needs_flat_objects;  ///< the eye is inside glass, or surfaces coincide: POV-Ray must run with -MB
 };
 
-/// Expects a scene as read_scene returns it without errors. The picture is width x height.
-PovrayExport export_povray(const Scene& scene, const Camera& camera, int width, int height,
-                           const RenderOptions& options);
+/// Expects a scene as read_scene returns it without errors.
+PovrayExport export_povray(const Shot& shot);
 
 /// The same in a space of the caller's: {1, 0, false, false} has the scene's own units, in which POV-Ray is
 /// at its weakest.
-PovrayExport export_povray(const Scene& scene, const Camera& camera, int width, int height,
-                           const RenderOptions& options, const ExportSpace& space);
+PovrayExport export_povray(const Shot& shot, const ExportSpace& space);
 
 }  // namespace plumb::exporters

@@ -50,10 +50,10 @@ class Attribution {
  public:
   explicit Attribution(const AttributionJob& job)
       : job_(job),
-        scene_(with_instances_apart(job.scene)),
-        perturbation_(scene_, job.camera, job.resolution),
+        scene_(with_instances_apart(job.shot.scene)),
+        perturbation_(scene_, job.shot.camera, job.resolution),
         work_(job.work),
-        still_(scene_, job, job.options, work_) {}
+        still_(scene_, job, job.shot.options, work_) {}
 
   Budget run() {
     for (const PixelPlace p : pixels_over(job_.reference, job_.test, job_.tolerance)) {
@@ -97,7 +97,7 @@ class Attribution {
   void explain(const Pixels& pixels) {
     explain_by_moves(pixels);
     if (job_.resolution.is_of_plumb) return;
-    for (const int more : {-1, 1}) explain_by_depth(job_.options.depth + more, pixels);
+    for (const int more : {-1, 1}) explain_by_depth(job_.shot.options.depth + more, pixels);
   }
 
   const float* reference(const AttributedPixel& p) const { return job_.reference.pixel(p.x, p.y); }
@@ -110,7 +110,7 @@ class Attribution {
 
   void explain_by_format() {
     Work one_picture(std::numeric_limits<double>::infinity());
-    const PixelTracer tracer(scene_, job_, job_.options, one_picture);
+    const PixelTracer tracer(scene_, job_, job_.shot.options, one_picture);
     for (AttributedPixel& p : budget_.pixels) {
       if (is_finite(p)) explain_by_format(p, tracer);
     }
@@ -178,8 +178,8 @@ class Attribution {
     const std::size_t most = std::clamp<std::size_t>(most_shapes / (1 + scene_.shapes.size()), 2, patterns);
     if (moved_.size() >= most) moved_.pop_front();
     moved_.emplace_back(
-        pattern, std::make_shared<const PixelTracer>(perturbation_.moved(pattern), job_, job_.options, work_,
-                                                     Perturbation::formulas(pattern)));
+        pattern, std::make_shared<const PixelTracer>(perturbation_.moved(pattern), job_, job_.shot.options,
+                                                     work_, Perturbation::formulas(pattern)));
     return moved_.back().second;
   }
 
@@ -242,7 +242,7 @@ class Attribution {
         meetings, {}, [](const Suspect& s) { return std::optional(s.unmoved); }, work);
     if (!found.empty() || meetings.empty()) return found;
     const auto shadows = Perturbation::reference_shadows();
-    const PixelTracer still(scene_, job_, job_.options, work, shadows);
+    const PixelTracer still(scene_, job_, job_.shot.options, work, shadows);
     return shapes_that_change(
         meetings, shadows, [&](const Suspect& s) { return still.at(*s.pixel); }, work);
   }
@@ -255,7 +255,7 @@ class Attribution {
     std::set<ShapeId> found;
     for (const auto& [id, pixels] : meetings) {
       for (int i = 0; i < patterns_of_one && !found.contains(id) && !work.is_over(); ++i) {
-        const PixelTracer moved(perturbation_.with_one_moved(id, i), job_, job_.options, work, formulas);
+        const PixelTracer moved(perturbation_.with_one_moved(id, i), job_, job_.shot.options, work, formulas);
         const bool changes = std::any_of(pixels.begin(), pixels.end(), [&](const Suspect* s) {
           perturbation_.begin_pixel(no_pattern, number_of(*s));
           const std::optional<Colour> unmoved = unmoved_of(*s);
@@ -311,7 +311,7 @@ class Attribution {
 
   void explain_by_depth(int depth, const Pixels& pixels) {
     if (depth < 1 || work_.is_over()) return;
-    RenderOptions options = job_.options;
+    RenderOptions options = job_.shot.options;
     options.depth = depth;
     const PixelTracer tracer(scene_, job_, options, work_);
     for (AttributedPixel* const pixel : pixels) {

@@ -8,8 +8,7 @@
 #include "references/comparison/comparison.hpp"
 #include "references/renderers/holds.hpp"
 #include "references/renderers/resolution.hpp"
-#include "tracer/scene/render_options.hpp"
-#include "tracer/scene/scene.hpp"
+#include "tracer/scene/shot.hpp"
 
 namespace plumb::references {
 
@@ -55,11 +54,9 @@ struct Budget {
   std::size_t explained() const { return pixels.size() - count(Cause::unexplained); }
 };
 
-/// What a budget is made from. The scene is as read_scene returns it; both pictures have one size.
+/// What a budget is made from. The scene is as read_scene returns it; both pictures have the shot's size.
 struct AttributionJob {
-  const Scene& scene;
-  const Camera& camera;
-  const RenderOptions& options;
+  Shot shot;
   const Image& reference;
   const Image& test;
   double tolerance;              ///< as in compare()

@@ -40,8 +40,8 @@ PixelTracer::PixelTracer(Scene scene, const AttributionJob& job, const RenderOpt
       work_(work),
       units_of_ray_(cost_of_ray(world_.instances())),
       limit_(units_of_ray_, work),
-      tracer_(world_, job.camera, job.reference.width, job.reference.height, options, limit_),
-      recording_(world_, job.camera, job.reference.width, job.reference.height, options, recorder_) {
+      tracer_(world_, job.shot.camera, job.shot.width, job.shot.height, options, limit_),
+      recording_(world_, job.shot.camera, job.shot.width, job.shot.height, options, recorder_) {
   work.spend(units_of_shape * static_cast<double>(scene_.shapes.size()));
 }
 

@@ -77,9 +77,9 @@ std::uint64_t course_of(const RayNode& tree) {
   return course;
 }
 
-TreeTracer::TreeTracer(const Scene& scene, const Camera& camera, int width, int height,
-                       const RenderOptions& options)
-    : world_(scene, Formulas({})), tracer_(world_, camera, width, height, options, recorder_) {}
+TreeTracer::TreeTracer(const Shot& shot)
+    : world_(shot.scene, Formulas({})),
+      tracer_(world_, shot.camera, shot.width, shot.height, shot.options, recorder_) {}
 
 RayNode TreeTracer::tree_of(int x, int y) const {
   tracer_.raycast(x, y);

@@ -6,8 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "tracer/scene/render_options.hpp"
-#include "tracer/scene/scene.hpp"
+#include "tracer/scene/shot.hpp"
 #include "tracer/textbook/formula_table.hpp"
 #include "tracer/textbook/tracer.hpp"
 
@@ -78,7 +77,7 @@ std::uint64_t course_of(const RayNode& tree);
 class TreeTracer {
  public:
   /// The scene must outlive it.
-  TreeTracer(const Scene& scene, const Camera& camera, int width, int height, const RenderOptions& options);
+  explicit TreeTracer(const Shot& shot);
   TreeTracer(const TreeTracer&) = delete;
   TreeTracer& operator=(const TreeTracer&) = delete;
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "references/cli/command_line.hpp"
-#include "references/submissions/other_renderer.hpp"
+#include "references/submissions/confined.hpp"
 
 namespace plumb::cli {
 

@@ -182,7 +182,7 @@ void check_order(const Options& options) {
 std::string size_text(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
 
 /// A picture of the same shape shows the same view, and is taken in its own size; throws for any other.
-void check_size(const Options& options, const PixelRows& seen, const references::Size& asked) {
+void check_size(const Options& options, const PixelRows& seen, const Shot& asked) {
   if (seen.width == asked.width && seen.height == asked.height) return;
   const std::string found = size_text(seen.width, seen.height), wanted = size_text(asked.width, asked.height);
   const bool is_scenes = !options.picture.size;
@@ -198,20 +198,18 @@ void check_size(const Options& options, const PixelRows& seen, const references:
 int run_diagnose(const Options& options) {
   check_order(options);
   const Scene scene = load_scene(options.scene, options.picture.dialect, warn);
-  const View view = view_of(scene, options.picture);
+  Shot shot = shot_of(scene, options.picture);
   const PixelRows rows = open_image(options.image);
   if (const auto complaint = references::complaint_about_contents(rows))
     throw std::invalid_argument(options.image + ": " + references::printable(*complaint));
-  check_size(options, rows, view.size);
+  check_size(options, rows, shot);
   const std::string not_looked_at = references::printable(references::not_looked_at(rows));
   if (!not_looked_at.empty()) warn(options.image + ": not looked at: " + not_looked_at);
   const ImageFile seen = image_of(rows);
-  RenderJob job;
-  job.width = seen.width;
-  job.height = seen.height;
-  job.options = options.picture.render;
+  shot.width = seen.width;
+  shot.height = seen.height;
   const references::Diagnosis diagnosis =
-      references::diagnose(scene, view.camera, job, seen, options.tolerance);
+      references::diagnose(scene, shot.camera, job_of(shot), seen, options.tolerance);
   const auto tell_apart = options.hint == 3 ? scenes_that_tell_apart(diagnosis) : std::vector<TellApart>{};
   if (options.json != "-") {
     print(options, diagnosis);
@@ -219,8 +217,7 @@ int run_diagnose(const Options& options) {
   }
   if (!options.json.empty()) write_json(options.json, to_json(options, diagnosis, tell_apart, not_looked_at));
   if (options.report.empty()) return exit_code_of(diagnosis.verdict);
-  write_diagnosis(options.report,
-                  {options.image, scene, view.camera, job, seen, diagnosis, tell_apart, not_looked_at},
+  write_diagnosis(options.report, {options.image, shot, seen, diagnosis, tell_apart, not_looked_at},
                   options.hint);
   if (options.json != "-") std::printf("report: %s/diagnose.html\n", options.report.c_str());
   return exit_code_of(diagnosis.verdict);

@@ -19,7 +19,7 @@ using references::html_escaped;
 using teaching::Picture;
 
 Picture picture_with(const Diagnosed& d, const std::vector<const Fault*>& faults) {
-  return teaching::picture_of(references::render_with(d.scene, d.camera, d.job, faults),
+  return teaching::picture_of(references::render_with(d.shot.scene, d.shot.camera, job_of(d.shot), faults),
                               d.diagnosis.encoding);
 }
 

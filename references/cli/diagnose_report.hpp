@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "references/diagnosis/diagnosis.hpp"
+#include "tracer/scene/shot.hpp"
 
 namespace plumb::cli {
 
@@ -18,9 +19,7 @@ struct TellApart {
 /// What was diagnosed; all must outlive it.
 struct Diagnosed {
   const std::string& image;  ///< name of the file
-  const Scene& scene;
-  const Camera& camera;
-  const textbook::RenderJob& job;  ///< of the size of the picture
+  const Shot& shot;          ///< of the size of the picture
   const ImageFile& seen;
   const references::Diagnosis& diagnosis;
   const std::vector<TellApart>& tell_apart;

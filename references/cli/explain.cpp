@@ -3,12 +3,11 @@
 #include <cstdio>
 #include <memory>
 
-#include "exporters/povray.hpp"
 #include "references/cli/commands.hpp"
 #include "references/cli/options.hpp"
 #include "references/cli/report.hpp"
 #include "references/renderers/ours.hpp"
-#include "references/renderers/reference_source.hpp"
+#include "references/renderers/registry.hpp"
 #include "references/system/json.hpp"
 #include "tracer/format/reader.hpp"
 #include "tracer/system/files.hpp"
@@ -34,17 +33,16 @@ struct ReferencePixel {
 /// A picture of pixels with as many rays as are not traced here may take the reference for ever.
 constexpr double time_limit_when_cut_seconds = 10;
 
-ReferencePixel reference_pixel(const Options& options, const Scene& scene, const View& view, bool is_cut) {
+ReferencePixel reference_pixel(const Options& options, const Shot& shot, bool is_cut) {
   try {
-    const references::ReferenceSource source(options.stored);
-    const auto exported = exporters::export_povray(scene, view.camera, view.size.width, view.size.height,
-                                                   options.picture.render);
-    references::PovrayJob job{exported.text, view.size.width, view.size.height, exported.needs_flat_objects};
-    if (is_cut) job.time_limit_seconds = time_limit_when_cut_seconds;
-    const Image image = source.picture(job).image;
-    if (const std::string complaint = source.complaint(); !complaint.empty()) warn(complaint);
+    references::ReferenceOptions asked;
+    asked.stored = options.stored;
+    if (is_cut) asked.time_limit_seconds = time_limit_when_cut_seconds;
+    const auto renderer = references::reference_renderer(asked).renderer;
+    const Image image = renderer->render(shot).image;
+    if (const std::string complaint = renderer->complaint(); !complaint.empty()) warn(complaint);
     const float* const p = image.pixel(options.x, options.y);
-    return {Rgbd(p[0], p[1], p[2]), "POV-Ray " + source.version()};
+    return {Rgbd(p[0], p[1], p[2]), renderer->facts().title + " " + renderer->version()};
   } catch (const std::runtime_error& error) {
     return {std::nullopt, error.what()};
   }
@@ -54,25 +52,20 @@ void print_colour(const char* name, const Rgbd& c, const std::string& from) {
   std::printf("%-11s%.9g %.9g %.9g%s\n", name, c.x, c.y, c.z, from.c_str());
 }
 
-void print_tree(const Options& options, const Scene& scene, const View& view,
-                const references::RayNode& tree) {
+void print_tree(const Options& options, const Shot& shot, const references::RayNode& tree) {
   const std::string note = references::cut_note(tree);
-  std::printf("pixel (%d, %d) of %s, %d x %d\n%s", options.x, options.y, options.scene.c_str(),
-              view.size.width, view.size.height, references::explain_text(scene, tree).c_str());
+  std::printf("pixel (%d, %d) of %s, %d x %d\n%s", options.x, options.y, options.scene.c_str(), shot.width,
+              shot.height, references::explain_text(shot.scene, tree).c_str());
   if (!note.empty()) std::printf("note       %s\n", note.c_str());
   print_colour("ours", tree.colour, note.empty() ? "" : "   of the rays that were traced");
-  flush_output();  // POV-Ray renders the whole picture, which may take a while
+  flush_output();  // the reference renders the whole picture, which may take a while
 }
 
 /// The engine's colour of the pixel, as `verify` compares it. Nothing where the pixel has more rays than are
 /// traced here: the picture may take for ever.
-std::optional<Rgbd> engine_pixel(const Options& options, const Scene& scene, const View& view, bool is_cut) {
+std::optional<Rgbd> engine_pixel(const Options& options, const Shot& shot, bool is_cut) {
   if (is_cut) return std::nullopt;
-  RenderJob job;
-  job.width = view.size.width;
-  job.height = view.size.height;
-  job.options = options.picture.render;
-  const Image image = references::render(references::Renderer::engine, scene, view.camera, job);
+  const Image image = references::OurRenderer(references::OwnTracer::engine).render(shot).image;
   const float* const p = image.pixel(options.x, options.y);
   return Rgbd(p[0], p[1], p[2]);
 }
@@ -96,7 +89,7 @@ void print_reference(const references::RayNode& tree, const ReferencePixel& refe
   if (!references::is_cut(tree)) print_colour("difference", tree.colour - *reference.colour, "");
 }
 
-Json to_json(const Options& options, const Scene& scene, const View& view, const references::RayNode& tree,
+Json to_json(const Options& options, const Shot& shot, const references::RayNode& tree,
              const std::optional<Rgbd>& engine, const ReferencePixel& reference) {
   const auto list = [](const Rgbd& c) { return Json{c.x, c.y, c.z}; };
   return {{"tool", "plumb"},
@@ -104,8 +97,8 @@ Json to_json(const Options& options, const Scene& scene, const View& view, const
           {"scene", options.scene},
           {"x", options.x},
           {"y", options.y},
-          {"width", view.size.width},
-          {"height", view.size.height},
+          {"width", shot.width},
+          {"height", shot.height},
           {"ours", list(tree.colour)},
           {"engine", engine ? list(*engine) : Json()},
           {"engine_note", note_of(tree, engine)},
@@ -113,31 +106,30 @@ Json to_json(const Options& options, const Scene& scene, const View& view, const
           {"reference_from", reference.from},
           {"is_cut", references::is_cut(tree)},
           {"note", references::cut_note(tree)},
-          {"tree", references::explain_json(scene, tree)}};
+          {"tree", references::explain_json(shot.scene, tree)}};
 }
 
-View view_with_pixel(const Scene& scene, const Options& options) {
-  const View view = view_of(scene, options.picture);
-  if (options.x < view.size.width && options.y < view.size.height) return view;
+Shot shot_with_pixel(const Scene& scene, const Options& options) {
+  const Shot shot = shot_of(scene, options.picture);
+  if (options.x < shot.width && options.y < shot.height) return shot;
   throw std::invalid_argument("found pixel " + std::to_string(options.x) + " " + std::to_string(options.y) +
-                              ", expected one of the picture, " + std::to_string(view.size.width) + " x " +
-                              std::to_string(view.size.height) + ", counted from 0, row 0 on top");
+                              ", expected one of the picture, " + std::to_string(shot.width) + " x " +
+                              std::to_string(shot.height) + ", counted from 0, row 0 on top");
 }
 
 int run_explain(const Options& options) {
   const Scene scene = load_scene(options.scene, options.picture.dialect, warn);
-  const View view = view_with_pixel(scene, options);
-  const references::TreeTracer tracer(scene, view.camera, view.size.width, view.size.height,
-                                      options.picture.render);
+  const Shot shot = shot_with_pixel(scene, options);
+  const references::TreeTracer tracer(shot);
   const references::RayNode tree = tracer.tree_of(options.x, options.y);
   const bool prints = options.json != "-";
-  if (prints) print_tree(options, scene, view, tree);
-  const std::optional<Rgbd> engine = engine_pixel(options, scene, view, references::is_cut(tree));
+  if (prints) print_tree(options, shot, tree);
+  const std::optional<Rgbd> engine = engine_pixel(options, shot, references::is_cut(tree));
   if (prints) print_engine(tree, engine);
-  const ReferencePixel reference = reference_pixel(options, scene, view, references::is_cut(tree));
+  const ReferencePixel reference = reference_pixel(options, shot, references::is_cut(tree));
   if (prints) print_reference(tree, reference);
   if (options.json.empty()) return exit_agrees;
-  const Json json = to_json(options, scene, view, tree, engine, reference);
+  const Json json = to_json(options, shot, tree, engine, reference);
   // Indented, 3,000 rays of depth 256 are hundreds of megabytes of blanks.
   const int indent = references::is_cut(tree) ? -1 : 2;
   write_file(options.json, references::json_text_of_any_bytes(json, indent) + "\n");

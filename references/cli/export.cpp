@@ -52,13 +52,11 @@ std::string head(const Options& options, const references::PovrayJob& job) {
 
 int run_export(const Options& options) {
   const Scene scene = load_scene(options.scene, options.picture.dialect, warn);
-  const View view = view_of(scene, options.picture);
-  const auto exported =
-      exporters::export_povray(scene, view.camera, view.size.width, view.size.height, options.picture.render);
+  const Shot shot = shot_of(scene, options.picture);
+  const auto exported = exporters::export_povray(shot);
   if (exported.needs_flat_objects)
     warn("the eye is inside glass, or surfaces coincide: run POV-Ray with -MB");
-  const references::PovrayJob job{exported.text, view.size.width, view.size.height,
-                                  exported.needs_flat_objects};
+  const references::PovrayJob job{exported.text, shot.width, shot.height, exported.needs_flat_objects};
   write_file(options.file, head(options, job) + exported.text);
   return exit_agrees;
 }

@@ -20,28 +20,24 @@ struct Options {
   references::PictureOptions picture;
 };
 
-RenderJob job_of(const Options& options, const references::Size& size) {
-  const std::int64_t pixels = std::int64_t{size.width} * size.height;
+void check_size(const Shot& shot) {
+  const std::int64_t pixels = std::int64_t{shot.width} * shot.height;
   if (pixels > most_pixels)
     throw std::invalid_argument("found " + std::to_string(pixels) + " pixels, expected at most " +
                                 std::to_string(most_pixels) +
                                 ", because the picture is rendered many times; choose a smaller --size");
-  RenderJob job;
-  job.width = size.width;
-  job.height = size.height;
-  job.options = options.picture.render;
-  return job;
 }
 
 int run_needs(const Options& options) {
   const Scene scene = load_scene(options.scene, options.picture.dialect, warn);
-  const View view = view_of(scene, options.picture);
-  RenderJob job = job_of(options, view.size);
+  const Shot shot = shot_of(scene, options.picture);
+  check_size(shot);
+  RenderJob job = job_of(shot);
   Progress progress("looking at " + options.scene);
   job.progress = [&](double fraction) { progress.show(fraction); };
-  const NeedsReport report{options.scene,   scene,
-                           view.size.width, view.size.height,
-                           options.error,   references::needs_of(scene, view.camera, job, options.error)};
+  const NeedsReport report{options.scene, scene,
+                           shot.width,    shot.height,
+                           options.error, references::needs_of(scene, shot.camera, job, options.error)};
   progress.clear();
   if (options.json != "-") std::printf("%s", as_text(report).c_str());
   if (!options.json.empty()) write_json(options.json, to_json(report));

@@ -15,7 +15,6 @@ namespace plumb::cli {
 namespace {
 
 using references::PictureOptions;
-using references::Size;
 
 constexpr int largest_side = 65535;
 constexpr double most_pixels = 1 << 28;
@@ -26,8 +25,8 @@ constexpr Word<RealType> real_types[] = {{"float", RealType::float32},
                                          {"double", RealType::float64},
                                          {"long-double", RealType::long_double},
                                          {"quad", RealType::quad}};
-constexpr Word<references::Renderer> tracers[] = {{"textbook", references::Renderer::textbook},
-                                                  {"engine", references::Renderer::engine}};
+constexpr Word<references::OwnTracer> tracers[] = {{"textbook", references::OwnTracer::textbook},
+                                                   {"engine", references::OwnTracer::engine}};
 
 std::optional<int> whole_number(std::string_view text) {
   int value = 0;
@@ -109,7 +108,7 @@ Table tracer_options(PictureOptions& picture) {
            "textbook tracer",
            {.shows_default = true}},
           {"--engine",
-           one_of(picture.renderer, tracers),
+           one_of(picture.tracer, tracers),
            "engine: the fast tracer (float and double); textbook: the readable one",
            {.shows_default = true}}};
 }
@@ -144,12 +143,6 @@ std::string complaint_about_size(const std::string& text) {
   return "found " + in_quotes(text) + ", expected a finite number >= 0";
 }
 
-View view_of(const Scene& scene, const PictureOptions& options) {
-  const RenderRequest& request = scene.renders.front();
-  return {scene.camera(options.camera.empty() ? request.camera : options.camera),
-          options.size.value_or(Size{request.width, request.height})};
-}
-
 std::string picture_arguments(const PictureOptions& options) {
   const PictureOptions usual;
   std::string text;
@@ -161,14 +154,14 @@ std::string picture_arguments(const PictureOptions& options) {
   add("--depth", std::to_string(options.render.depth), std::to_string(usual.render.depth));
   add("--glass-shadow", word_for(options.render.glass_shadow, glass_shadows), "full");
   add("--real", word_for(options.real, real_types), "double");
-  add("--engine", word_for(options.renderer, tracers), "engine");
+  add("--engine", word_for(options.tracer, tracers), "engine");
   add("--dialect", options.dialect_name, "");
   return text;
 }
 
 std::string explain_arguments(PictureOptions options) {
   options.real = PictureOptions{}.real;
-  options.renderer = PictureOptions{}.renderer;
+  options.tracer = PictureOptions{}.tracer;
   return picture_arguments(options);
 }
 

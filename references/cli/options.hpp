@@ -50,13 +50,6 @@ std::string complaint_about_size(const std::string& text);
 /// naming the one that is unknown.
 std::vector<const references::Fault*> faults_named(const std::string& ids);
 
-/// What to render of a scene: its own render line, unless the options say otherwise.
-struct View {
-  const Camera& camera;
-  references::Size size;
-};
-View view_of(const Scene& scene, const references::PictureOptions& options);
-
 /// The options that change the picture and differ from the default, each with a blank before it, quoted for a
 /// shell.
 std::string picture_arguments(const references::PictureOptions& options);

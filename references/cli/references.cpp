@@ -3,11 +3,10 @@
 #include <filesystem>
 #include <memory>
 
-#include "exporters/povray.hpp"
 #include "references/cli/commands.hpp"
 #include "references/cli/options.hpp"
 #include "references/comparison/comparison.hpp"
-#include "references/renderers/povray.hpp"
+#include "references/renderers/registry.hpp"
 #include "references/renderers/stored.hpp"
 #include "references/system/digest.hpp"
 #include "tracer/format/reader.hpp"
@@ -19,28 +18,13 @@ namespace {
 namespace fs = std::filesystem;
 namespace refs = references;
 
-/// The same POV-Ray on another machine may round a float32 differently in its last bits.
+/// The same renderer on another machine may round a float32 differently in its last bits.
 constexpr double tolerance = 1e-6;
 
 struct Options {
   bool check = false;
   std::vector<std::string> update;
 };
-
-struct Exported {
-  refs::PovrayJob job;
-  std::string command;
-};
-
-Exported exported(const std::string& path) {
-  const Scene scene = load_scene(path, Dialect{});
-  const RenderRequest& request = scene.renders.front();
-  const auto povray = exporters::export_povray(scene, scene.camera(request.camera), request.width,
-                                               request.height, RenderOptions{});
-  Exported result{{povray.text, request.width, request.height, povray.needs_flat_objects}, "povray"};
-  for (const std::string& argument : refs::povray_arguments(result.job)) result.command += " " + argument;
-  return result;
-}
 
 /// How a record names the scenes that plumb comes with, wherever they lie.
 constexpr const char* own_scenes = "tests/scenes";
@@ -62,60 +46,65 @@ std::string recorded_name(const std::string& path) {
 }
 
 std::string complaint_about(const refs::StoredReferences& stored, const refs::StoredReference& entry,
-                            const refs::Povray& povray) {
-  const Exported now = exported(path_of(entry.scene));
-  if (refs::sha256(now.job.text) != entry.export_sha256)
+                            const refs::ProgramRenderer& renderer) {
+  const Scene scene = load_scene(path_of(entry.scene), Dialect{});
+  const Shot shot = shot_of(scene, ShotOptions{});
+  if (refs::sha256(renderer.exported(shot).text) != entry.export_sha256)
     return "the scene is exported to another text than then";
   const Image reference = stored.load(entry);
-  const auto c = refs::compare(reference, povray.render(now.job).image, tolerance);
+  const auto c = refs::compare(reference, renderer.render(shot).image, tolerance);
   if (c.agrees()) return {};
-  return std::to_string(c.pixels_over) + " pixels differ from POV-Ray's, by up to " +
+  return std::to_string(c.pixels_over) + " pixels differ from " + renderer.facts().title + "'s, by up to " +
          std::to_string(c.max_error);
 }
 
 int check() {
   const refs::StoredReferences stored(refs::StoredReferences::default_directory());
-  const refs::Povray povray;
-  const std::string version = povray.version();
+  const auto renderer = refs::program_renderer({});
+  const std::string version = renderer->version();
+  const std::string& title = renderer->facts().title;
   std::size_t failures = 0;
   for (const refs::StoredReference& entry : stored.all()) {
     std::string complaint;
     try {
-      complaint = complaint_about(stored, entry, povray);
+      complaint = complaint_about(stored, entry, *renderer);
     } catch (const std::exception& error) {
       complaint = error.what();
     }
-    const std::string by = entry.version == version ? "" : " (stored by POV-Ray " + entry.version + ")";
+    const std::string by = entry.version == version ? "" : " (stored by " + title + " " + entry.version + ")";
     std::printf("%-44s %s%s\n", entry.scene.c_str(), complaint.empty() ? "holds" : complaint.c_str(),
                 by.c_str());
     flush_output();
     failures += complaint.empty() ? 0 : 1;
   }
-  std::printf("%zu stored reference images against POV-Ray %s: %zu hold, %zu do not\n", stored.all().size(),
-              version.c_str(), stored.all().size() - failures, failures);
+  std::printf("%zu stored reference images against %s %s: %zu hold, %zu do not\n", stored.all().size(),
+              title.c_str(), version.c_str(), stored.all().size() - failures, failures);
   if (stored.all().empty()) return exit_trouble;
   return failures == 0 ? exit_agrees : exit_differs;
 }
 
 int update(const std::vector<std::string>& scenes) {
   refs::StoredReferences stored(refs::StoredReferences::default_directory());
-  const refs::Povray povray;
-  const std::string version = povray.version();
+  const auto renderer = refs::program_renderer({});
+  const std::string version = renderer->version();
   for (const std::string& path : scenes) {
-    const Exported now = exported(path);
-    const refs::PovrayPicture picture = povray.render(now.job);
+    const Scene scene = load_scene(path, Dialect{});
+    const Shot shot = shot_of(scene, ShotOptions{});
+    const refs::ExportedShot now = renderer->exported(shot);
+    const refs::Rendered picture = renderer->render(shot);
     if (picture.holds != refs::Holds::float32 || !picture.warnings.empty()) {
-      throw refs::PovrayError(path + ": not stored, POV-Ray warns: " + picture.warnings);
+      throw std::runtime_error(path + ": not stored, " + renderer->facts().title +
+                               " warns: " + picture.warnings);
     }
     refs::StoredReference entry;
     entry.scene = recorded_name(path);
     entry.image = fs::path(path).stem().string() + ".exr";
-    entry.width = now.job.width;
-    entry.height = now.job.height;
-    entry.export_sha256 = refs::sha256(now.job.text);
-    entry.renderer = "povray";
+    entry.width = shot.width;
+    entry.height = shot.height;
+    entry.export_sha256 = refs::sha256(now.text);
+    entry.renderer = now.renderer;
     entry.version = version;
-    entry.command = now.command;
+    entry.command = now.command();
     stored.store(entry, picture.image);
     std::printf("%s\n", entry.image.c_str());
   }

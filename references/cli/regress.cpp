@@ -166,8 +166,8 @@ void complete(Options& options, const Request& request) {
   options.regress.keeps_pictures = !options.report.empty();
   options.regress.bounds.limit.tolerance = options.regress.tolerance;
   if (options.confined.renderer.empty()) return;
-  options.regress.other = references::confined_renderer(
-      options.confined.renderer, confined_command(options.confined), options.regress.dialect);
+  options.regress.other = std::make_shared<references::ConfinedRenderer>(options.confined.renderer,
+                                                                         confined_command(options.confined));
 }
 
 /// Renders and compares all; prints a row of the table for each scene when it is done.

@@ -62,7 +62,7 @@ SamplePattern pattern_for(int samples) {
 void report(const Options& options, const RenderJob& job, RenderStatistics& statistics) {
   statistics.scene = options.scene;
   statistics.has_counts =
-      references::renderer_for(options.picture.renderer, job.real) == references::Renderer::engine;
+      references::tracer_for(options.picture.tracer, job.real) == references::OwnTracer::engine;
   statistics.engine = statistics.has_counts ? "engine" : "textbook";
   statistics.real = references::to_string(job.real);
   statistics.width = job.width;
@@ -122,7 +122,7 @@ int render(Options& options) {
   const engine::Stopwatch reading;
   const Scene scene = load_scene(options.scene, options.picture.dialect, warn);
   statistics.read = reading.elapsed();
-  const View view = view_of(scene, options.picture);
+  const Shot shot = shot_of(scene, options.picture);
   const std::string asked = options.image.empty() ? name_from(scene) : options.image;
   const Encoding encoding = options.encode.value_or(default_encoding(asked));
   if (const auto complaint = complaint_about(asked, encoding)) {
@@ -134,23 +134,20 @@ int render(Options& options) {
   if (path == "-" && options.statistics_json == "-")
     throw std::invalid_argument(
         "found the picture and the statistics on standard output, expected one of them; name a file");
-  RenderJob& job = options.job;
-  job.width = view.size.width;
-  job.height = view.size.height;
-  job.options = options.picture.render;
+  RenderJob& job = options.job = job_of(shot, options.job);
   job.real = options.picture.real;
   job.pattern = options.pattern.value_or(pattern_for(job.samples));
   Progress progress("rendering " + options.scene);
   job.progress = [&](double fraction) { progress.show(fraction); };
   if (!options.faults.empty()) {
-    write_image(path, references::render_with(scene, view.camera, job, options.faults), encoding);
+    write_image(path, references::render_with(scene, shot.camera, job, options.faults), encoding);
     progress.clear();
     put_in_place(unasked, asked);
     return exit_agrees;
   }
   const references::RenderedFile file =
-      options.error > 0 ? render_within_error(options, scene, view.camera, job, path, encoding, statistics)
-                        : references::render_to_file(options.picture.renderer, scene, view.camera, job, path,
+      options.error > 0 ? render_within_error(options, scene, shot.camera, job, path, encoding, statistics)
+                        : references::render_to_file(options.picture.tracer, scene, shot.camera, job, path,
                                                      encoding, &statistics.counts);
   progress.clear();
   put_in_place(unasked, asked);

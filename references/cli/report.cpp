@@ -175,7 +175,7 @@ Json to_json(const references::VerifyReport& report) {
   for (const SceneResult& result : report.scenes) scenes.push_back(scene_json(result));
   return {{"tool", "plumb"},
           {"version", PLUMB_VERSION},
-          {"reference", {{"renderer", "povray"}, {"version", report.reference_version}}},
+          {"reference", {{"renderer", report.reference.name}, {"version", report.reference_version}}},
           {"notice", report.notice},
           {"scenes", scenes}};
 }
@@ -224,10 +224,10 @@ std::string outcome(const references::VerifyReport& report) {
                          [&](const SceneResult& s) { return s.status == status; });
   };
   const auto total = report.scenes.size();
-  return formatted("%zu scene%s against %sPOV-Ray %s: %td agree, %td differ, %td in trouble", total,
+  return formatted("%zu scene%s against %s%s %s: %td agree, %td differ, %td in trouble", total,
                    total == 1 ? "" : "s", report.notice.empty() ? "" : "stored images by ",
-                   report.reference_version.c_str(), count(Status::agree), count(Status::differ),
-                   count(Status::error));
+                   report.reference.title.c_str(), report.reference_version.c_str(), count(Status::agree),
+                   count(Status::differ), count(Status::error));
 }
 
 }  // namespace plumb::cli

@@ -63,7 +63,8 @@ Command verify_command() {
           .options = joined(
               {{{"SCENE", &options->scenes, "scene files", {.is_required = true}},
                 tolerance_option(verify.tolerance),
-                {"--stored", &verify.stored, "compare with the stored reference images; start no POV-Ray"},
+                {"--stored", &verify.reference.stored,
+                 "compare with the stored reference images; start no POV-Ray"},
                 {"--terms", &verify.terms,
                  "also compare ambient, diffuse, specular, shadow, mirror and refraction, each alone, "
                  "and say in which one a difference lives"},

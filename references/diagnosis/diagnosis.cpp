@@ -100,8 +100,8 @@ bool shows_nothing(const Evidence& evidence, const FaultSet& set) {
 std::vector<ShapeSeen> shapes_at(const Evidence& evidence, const std::vector<std::size_t>& pixels) {
   RenderOptions first_hit = evidence.job().options;
   first_hit.depth = 1;
-  const TreeTracer tracer(evidence.scene(), evidence.camera(), evidence.width(), evidence.height(),
-                          first_hit);
+  const TreeTracer tracer(
+      {evidence.scene(), evidence.camera(), evidence.width(), evidence.height(), first_hit});
   std::map<std::string, std::size_t> counts;
   for (const std::size_t pixel : pixels) {
     const PixelPlace place = evidence.place_of(pixel);

@@ -117,7 +117,7 @@ Evidence::Evidence(const Scene& scene, const Camera& camera, const textbook::Ren
   survey_ = spread(job_.width, job_.height,
                    static_cast<std::size_t>(std::clamp(most_units_of_survey / units_of_pixel_, 2000.0,
                                                        static_cast<double>(pixels_of_picture()))));
-  right_ = render(Renderer::engine, scene_, camera_, job_);
+  right_ = render(OwnTracer::engine, scene_, camera_, job_);
   if (known.read.is_float && tolerance)
     errors_.allowed.assign(pixels_of_picture(), static_cast<float>(*tolerance));
   else
@@ -175,7 +175,7 @@ std::vector<float> Evidence::textbook_in_float(const std::vector<PixelPlace>& pl
 Image Evidence::moved_in_float(int number) const {
   textbook::RenderJob in_float = job_;
   in_float.real = RealType::float32;
-  return render(Renderer::engine, moves().moved(number), camera_, in_float);
+  return render(OwnTracer::engine, moves().moved(number), camera_, in_float);
 }
 
 std::vector<float> Evidence::moved_colours(int number, const FaultSet& set,
@@ -193,7 +193,7 @@ std::vector<std::optional<std::uint64_t>> Evidence::moved_courses(int number,
                                                                   const std::vector<PixelPlace>& places,
                                                                   Work& work) const {
   const Scene moved = moves().moved(number);
-  const TreeTracer tracer(moved, camera_, job_.width, job_.height, job_.options);
+  const TreeTracer tracer({moved, camera_, job_.width, job_.height, job_.options});
   const double units_of_ray = cost_of_ray(moved.shapes.size()) * static_cast<double>(1 + moved.lights.size());
   std::vector<std::optional<std::uint64_t>> courses;
   for (const auto& [x, y] : places) {

@@ -121,7 +121,7 @@ FloatErrors float_errors(const Scene& scene, const Camera& camera, const RenderJ
   constexpr float least = 1e-6F, most_everywhere = 1e-5F;
   RenderJob in_float = job;
   in_float.real = RealType::float32;
-  const std::vector<float> errors = errors_of(render(Renderer::engine, scene, camera, in_float), in_double);
+  const std::vector<float> errors = errors_of(render(OwnTracer::engine, scene, camera, in_float), in_double);
   const float everywhere = std::clamp(other_tracer * most_common(errors), least, most_everywhere);
   FloatErrors found;
   for (int y = 0; y < job.height; ++y) {

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "references/renderers/baseline.hpp"
-
 namespace plumb::references {
 namespace {
 
@@ -27,23 +25,21 @@ Image with_what_is_allowed(const BaselineJob& job) {
 
 }  // namespace
 
-BoundedComparison judge_own(const Scene& scene, const Camera& camera, const RenderOptions& options,
-                            const BaselineJob& job, SceneResult& result) {
+BoundedComparison judge_own(const Shot& shot, const Resolution& resolution, const BaselineJob& job,
+                            SceneResult& result) {
   const BoundedComparison bounded = compare_within(job.baseline, job.image, job.bounds);
   const bool is_whole = !job.bounds.has_regions() && !job.bounds.limit.is_relative();
   const Image allowed = is_whole ? Image() : with_what_is_allowed(job);
-  const Image& test = is_whole ? job.image : allowed;
-  const AttributionJob traced{
-      scene, camera, options, job.baseline, test, job.bounds.limit.tolerance, baseline_resolution()};
+  const auto job_with = [&](const Image& test) {
+    return AttributionJob{shot, job.baseline, test, job.bounds.limit.tolerance, resolution};
+  };
+  const AttributionJob traced = job_with(is_whole ? job.image : allowed);
   judge(traced, result);
   result.comparison = bounded.comparison;
   result.mask = mask_of(job.bounds, job.image.width, job.image.height);
   if (bounded.agrees()) result.status = Status::agree;
-  if (job.keeps_pictures) {
-    const AttributionJob shown{
-        scene, camera, options, job.baseline, job.image, job.bounds.limit.tolerance, baseline_resolution()};
-    result.pictures = pictures_of(shown, result.comparison, result.budget);
-  }
+  if (job.keeps_pictures)
+    result.pictures = pictures_of(job_with(job.image), result.comparison, result.budget);
   return bounded;
 }
 

@@ -15,9 +15,10 @@ struct BaselineJob {
 };
 
 /// Sets figures and status. What plumb rendered is traced again: a pixel over the limit that is proven an
-/// edge, or the like, differs by chance. It agrees, too, when no more pixels are over than may be.
-BoundedComparison judge_own(const Scene& scene, const Camera& camera, const RenderOptions& options,
-                            const BaselineJob& job, SceneResult& result);
+/// edge, or the like, differs by chance; the resolution is the baseline's. It agrees, too, when no more
+/// pixels are over than may be.
+BoundedComparison judge_own(const Shot& shot, const Resolution& resolution, const BaselineJob& job,
+                            SceneResult& result);
 
 /// The same for somebody else's image: nothing is known of how its pixels are made, so none is explained.
 BoundedComparison judge_others(const BaselineJob& job, SceneResult& result);

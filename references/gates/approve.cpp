@@ -58,7 +58,7 @@ std::string name_meant(const std::string& text, const std::string& directory,
 /// What renders the image, in the directory of the scenes.
 std::string command_of(const std::string& name, const RegressOptions& options,
                        const ApprovalRequest& request) {
-  if (options.other) return options.other->command;
+  if (options.other) return options.other->facts().name;
   const std::string file = (name.front() == '-' ? "./" : "") + name + ".sdf";  // not to be an option
   const fs::path image = fs::path("baselines") / options.variant / (name + ".exr");
   return "plumb render " + shell_word(file) + " -o " + shell_word(image.string()) + request.arguments;
@@ -74,7 +74,7 @@ Baseline record_of(const std::string& path, const std::string& name, const Regre
   record.version = PLUMB_VERSION;
   record.scene_sha256 = sha256(read_text_file(path));
   record.command = command_of(name, options, request);
-  if (options.other) record.renderer = options.other->command;
+  if (options.other) record.renderer = options.other->facts().name;
   return record;
 }
 
@@ -139,17 +139,12 @@ void expect_own(const std::string& name, const ApprovedImages& approved, const R
 Approved approve_one(const std::string& path, const std::string& name, const ApprovedImages& approved,
                      const RegressOptions& options, const ApprovalRequest& request, BaselineUpdate& update) {
   const Baseline record = record_of(path, name, options, request);
-  const OtherRenderer::Picture picture = rendered(path, options, request.warn);
+  const Rendered picture = rendered(path, options, request.warn);
   refuse_non_finite(picture.image, path);
   const std::string before = approved_before(approved, record, picture.image);
   if (before.empty()) update.add(record, picture.image);
-  return {name,
-          false,
-          is_of_one_colour(picture.image),
-          picture.image.width,
-          picture.image.height,
-          before,
-          picture.not_stored};
+  return {name,   false,           is_of_one_colour(picture.image), picture.image.width, picture.image.height,
+          before, picture.not_read};
 }
 
 }  // namespace

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "references/gates/baselines.hpp"
 #include "references/gates/bounds_file.hpp"
+#include "references/renderers/baselines.hpp"
 
 namespace plumb::references {
 

@@ -11,6 +11,7 @@
 
 #include "references/gates/against_baseline.hpp"
 #include "references/gates/approved_images.hpp"
+#include "references/renderers/baseline.hpp"
 #include "references/system/digest.hpp"
 #include "tracer/format/reader.hpp"
 
@@ -43,20 +44,18 @@ std::string at(int x, int y) { return "(" + std::to_string(x) + ", " + std::to_s
 
 std::string size_text(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
 
-const Camera& camera_of(const Scene& scene, const RegressOptions& options) {
-  return scene.camera(options.camera.empty() ? scene.renders.front().camera : options.camera);
+/// With another renderer, what plumb is asked for counts for nothing.
+Shot shot_for(const Scene& scene, const std::string& path, const RegressOptions& options) {
+  return options.other ? shot_of(scene, {}, path) : shot_of(scene, options, path);
 }
 
-Image rendered_by_plumb(const Scene& scene, const RegressOptions& options) {
-  const RenderRequest& request = scene.renders.front();
-  RenderJob job;
-  job.width = options.size ? options.size->width : request.width;
-  job.height = options.size ? options.size->height : request.height;
-  job.options = options.render;
-  job.real = options.real;
-  job.threads = options.threads;
-  job.progress = options.progress;
-  return render(options.renderer, scene, camera_of(scene, options), job);
+Rendered rendered(const Shot& shot, const RegressOptions& options) {
+  if (options.other) return options.other->render(shot);
+  RenderJob how;
+  how.real = options.real;
+  how.threads = options.threads;
+  how.progress = options.progress;
+  return OurRenderer(options.tracer, how).render(shot);
 }
 
 /// The figures of a difference, and who to ask about the baseline.
@@ -116,26 +115,27 @@ void add_line(std::string& text, const std::string& line) {
   if (!line.empty()) text += (text.empty() ? "" : "\n") + line;
 }
 
-BoundedComparison compared(const RegressOptions& options, const Bounds& bounds, const Scene* read,
-                           RegressedScene& scene) {
+/// What somebody else's renderer made is not traced again.
+BoundedComparison compared(const Shot& shot, const Renderer& baseline, const RegressOptions& options,
+                           const Bounds& bounds, RegressedScene& scene) {
   const BaselineJob job{*scene.baseline, *scene.image, bounds, options.keeps_pictures};
-  if (read == nullptr) return judge_others(job, scene.result);
-  return judge_own(*read, camera_of(*read, options), options.render, job, scene.result);
+  const auto& resolution = baseline.facts().resolution;
+  return resolution ? judge_own(shot, *resolution, job, scene.result) : judge_others(job, scene.result);
 }
 
-/// `read` is null when somebody else's renderer made the image.
-void judge_image(const ApprovedImages& approved, const RegressOptions& options, const Scene* read,
+void judge_image(const ApprovedImages& approved, const RegressOptions& options, const Shot& shot,
                  RegressedScene& scene) {
   const auto found = approved.find(scene.name);
   SceneResult& result = scene.result;
   if (!found) return judge_new(approved, scene);
   expect_same_renderer(*found->record, options);
-  scene.baseline = found->baselines->load(*found->record);
+  const BaselineRenderer baseline(*found->baselines, *found->record);
+  scene.baseline = baseline.render(shot).image;
   const std::string asked = history(*found->record, sha256(read_text_file(result.scene)));
   if (found->record->width != result.width || found->record->height != result.height)
     return judge_size(*found->record, asked, scene);
   const Bounds bounds = approved.bounds_of(scene.name, options.bounds);
-  const BoundedComparison bounded = compared(options, bounds, read, scene);
+  const BoundedComparison bounded = compared(shot, baseline, options, bounds, scene);
   if (!bounds.are_plain()) scene.bounds = {bounds, bounded};
   if (result.status == Status::differ) {
     const std::string explained = std::exchange(result.message, difference(result.comparison) + asked);
@@ -145,17 +145,16 @@ void judge_image(const ApprovedImages& approved, const RegressOptions& options, 
 
 void judge_scene(const ApprovedImages& approved, const RegressOptions& options, RegressedScene& scene) {
   SceneResult& result = scene.result;
-  std::optional<Scene> read;
-  if (!options.other) read = load_scene(result.scene, options.dialect);
+  const Scene read = load_scene(result.scene, options.dialect);
+  const Shot shot = shot_for(read, result.scene, options);
   const std::clock_t before = std::clock();
-  OtherRenderer::Picture picture = read ? OtherRenderer::Picture{rendered_by_plumb(*read, options), ""}
-                                        : options.other->picture_of(result.scene);
+  Rendered picture = rendered(shot, options);
   result.seconds_ours = static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC;
   scene.image = std::move(picture.image);
   result.width = scene.image->width;
   result.height = scene.image->height;
-  judge_image(approved, options, read ? &*read : nullptr, scene);
-  add_line(result.message, picture.not_stored);
+  judge_image(approved, options, shot, scene);
+  add_line(result.message, picture.not_read);
   if (result.status != Status::differ) return;
   const std::string complaint = non_finite_pixels(*scene.image);
   scene.can_be_approved = complaint.empty();
@@ -190,10 +189,10 @@ RegressedScene orphan(const ApprovedImages& approved, const std::string& directo
 
 }  // namespace
 
-OtherRenderer::Picture rendered(const std::string& scene_path, const RegressOptions& options,
-                                const std::function<void(const std::string&)>& warn) {
-  if (options.other) return options.other->picture_of(scene_path);
-  return {rendered_by_plumb(load_scene(scene_path, options.dialect, warn), options), ""};
+Rendered rendered(const std::string& scene_path, const RegressOptions& options,
+                  const std::function<void(const std::string&)>& warn) {
+  const Scene scene = load_scene(scene_path, options.dialect, options.other ? nullptr : warn);
+  return rendered(shot_for(scene, scene_path, options), options);
 }
 
 std::string non_finite_pixels(const Image& image) {

@@ -2,27 +2,17 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "references/gates/baselines.hpp"
 #include "references/gates/bounds.hpp"
 #include "references/gates/scene_directory.hpp"
 #include "references/gates/verify.hpp"
+#include "references/renderers/baselines.hpp"
 
 namespace plumb::references {
-
-/// Somebody else's renderer, which makes the images in place of plumb.
-struct OtherRenderer {
-  std::string command;  ///< as it was asked for
-  struct Picture {
-    Image image;             ///< values as they stand in its file
-    std::string not_stored;  ///< what else the file holds; empty when that is all
-  };
-  /// Throws std::runtime_error, saying what went wrong with this scene.
-  std::function<Picture(const std::string& scene_path)> picture_of;
-};
 
 /// `tolerance` is that of the bounds. With another renderer, the options that say how plumb renders count for
 /// nothing.
@@ -30,7 +20,7 @@ struct RegressOptions : PictureOptions {
   int threads = 0;  ///< 0: as many as the machine runs at once
   Bounds bounds;    ///< of scenes about which bounds.json says nothing
   std::string variant;
-  std::optional<OtherRenderer> other;
+  std::shared_ptr<const Renderer> other;  ///< somebody else's, in place of plumb; may be null
   /// Called now and then, from one thread at a time, with the fraction of the scene that is done; may be
   /// empty.
   std::function<void(double)> progress;
@@ -60,8 +50,8 @@ std::vector<RegressedScene> regress(const std::string& directory, const RegressO
                                     const std::function<void(const RegressedScene&)>& done);
 
 /// The picture that the options ask for. Throws std::runtime_error.
-OtherRenderer::Picture rendered(const std::string& scene_path, const RegressOptions& options,
-                                const std::function<void(const std::string&)>& warn = {});
+Rendered rendered(const std::string& scene_path, const RegressOptions& options,
+                  const std::function<void(const std::string&)>& warn = {});
 
 /// How many pixels are not finite, and the first of them; empty when all are.
 std::string non_finite_pixels(const Image& image);

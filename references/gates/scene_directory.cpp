@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "references/gates/baselines.hpp"
+#include "references/renderers/baselines.hpp"
 #include "tracer/text/words.hpp"
 
 namespace plumb::references {

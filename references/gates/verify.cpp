@@ -9,15 +9,13 @@
 #include <mutex>
 #include <thread>
 
-#include "exporters/povray.hpp"
-#include "references/renderers/reference_source.hpp"
 #include "references/system/in_parallel.hpp"
 #include "tracer/format/reader.hpp"
 
 namespace plumb::references {
 namespace {
 
-/// POV-Ray mostly waits (0.65 s a run), so more runs than cores at once.
+/// A reference like POV-Ray mostly waits (0.65 s a run), so more runs than cores at once.
 constexpr int runs_per_core = 4;
 
 /// Of the calling thread, or of the process where one scene has all threads.
@@ -72,28 +70,24 @@ std::string reservations(const Image& ours, std::size_t warnings) {
 /// One scene on both sides: as it is, and term by term.
 class SceneVerifier {
  public:
-  SceneVerifier(const VerifyOptions& options, const ReferenceSource& source, int threads, const Scene& scene,
-                const Camera& camera, SceneResult& result)
-      : options_(options),
-        source_(source),
-        threads_(threads),
-        scene_(scene),
-        camera_(camera),
-        result_(result) {}
+  SceneVerifier(const VerifyOptions& options, const Renderer& reference, int threads, const Shot& shot,
+                SceneResult& result)
+      : options_(options), reference_(reference), threads_(threads), shot_(shot), result_(result) {}
 
   void whole(std::size_t warnings) {
-    const ReferencePicture reference = picture_of(scene_, options_.render);
+    const Rendered reference = reference_.render(shot_);
     result_.cached = reference.cached;
     result_.stored = reference.stored;
     result_.seconds_reference = reference.cpu_seconds;
     const double before = cpu_seconds(threads_ > 1);
-    const Image ours = ours_of(scene_, options_.render, options_.real);
+    const Image ours = ours_of(shot_, options_.real);
     result_.seconds_ours = cpu_seconds(threads_ > 1) - before;
-    const AttributionJob whole = job(scene_, options_.render, reference, ours);
+    const AttributionJob whole = job(shot_, reference, ours);
     if (options_.judge) result_.judgement = judge_pixels(whole);
     judge(whole, result_);
     if (options_.judge) add_message(result_, result_.judgement->note());
-    if (!reference.warnings.empty()) add_message(result_, "POV-Ray warns: " + reference.warnings);
+    if (!reference.warnings.empty())
+      add_message(result_, reference_.facts().title + " warns: " + reference.warnings);
     add_message(result_, reservations(ours, warnings));
     if (options_.keeps_pictures) result_.pictures = pictures_of(whole, result_.comparison, result_.budget);
     if (result_.status == Status::differ && options_.real == RealType::float32) blame_float(ours);
@@ -101,7 +95,7 @@ class SceneVerifier {
 
   void by_terms() {
     for (const Term term : all_terms) {
-      TermResult& result = result_.terms.emplace_back(TermResult{term, has(term, scene_), {}});
+      TermResult& result = result_.terms.emplace_back(TermResult{term, has(term, shot_.scene), {}});
       try {
         if (result.in_scene) compare_term(result);
       } catch (const std::runtime_error& error) {
@@ -124,7 +118,7 @@ class SceneVerifier {
   void blame_float(const Image& ours) {
     std::string by;
     try {
-      const Image in_double = ours_of(scene_, options_.render, RealType::float64);
+      const Image in_double = ours_of(shot_, RealType::float64);
       const double error = compare(in_double, ours, options_.tolerance).judged_error;
       by = ": float32 alone differs from double by up to " + number(error) + " here";
     } catch (const std::runtime_error&) {
@@ -134,56 +128,43 @@ class SceneVerifier {
   }
 
   void compare_term(TermResult& result) const {
-    const TermScene reduced = only(result.term, scene_, options_.render);
-    const ReferencePicture reference = picture_of(reduced.scene, reduced.options);
-    const Image ours = ours_of(reduced.scene, reduced.options, options_.real);
+    const TermScene reduced = only(result.term, shot_.scene, shot_.options);
+    const Shot shot{reduced.scene, shot_.camera, shot_.width, shot_.height, reduced.options, shot_.file};
+    const Rendered reference = reference_.render(shot);
+    const Image ours = ours_of(shot, options_.real);
     result.comparison = compare(reference.image, ours, options_.tolerance);
     if (result.comparison->pixels_over > 0) {
-      result.unexplained =
-          attribute(job(reduced.scene, reduced.options, reference, ours)).count(Cause::unexplained);
+      result.unexplained = attribute(job(shot, reference, ours)).count(Cause::unexplained);
     }
   }
 
-  AttributionJob job(const Scene& scene, const RenderOptions& render, const ReferencePicture& reference,
-                     const Image& ours) const {
-    return {scene,          camera_, render, reference.image, ours, options_.tolerance, povray_resolution(),
+  AttributionJob job(const Shot& shot, const Rendered& reference, const Image& ours) const {
+    return {shot,           reference.image, ours, options_.tolerance, reference_.facts().resolution.value(),
             reference.holds};
   }
 
-  ReferencePicture picture_of(const Scene& scene, const RenderOptions& render) const {
-    const auto exported = exporters::export_povray(scene, camera_, result_.width, result_.height, render);
-    return source_.picture({exported.text, result_.width, result_.height, exported.needs_flat_objects,
-                            options_.time_limit_seconds});
-  }
-
-  Image ours_of(const Scene& scene, const RenderOptions& render, RealType real) const {
-    RenderJob job;
-    job.width = result_.width;
-    job.height = result_.height;
-    job.options = render;
-    job.real = real;
-    job.threads = threads_;
-    if (options_.render_ours) return options_.render_ours(scene, camera_, job);
-    return references::render(options_.renderer, scene, camera_, job);
+  Image ours_of(const Shot& shot, RealType real) const {
+    if (options_.ours != nullptr) return options_.ours->render(shot).image;
+    RenderJob how;
+    how.real = real;
+    how.threads = threads_;
+    return OurRenderer(options_.tracer, how).render(shot).image;
   }
 
   const VerifyOptions& options_;
-  const ReferenceSource& source_;
+  const Renderer& reference_;
   int threads_;
-  const Scene& scene_;
-  const Camera& camera_;
+  const Shot& shot_;
   SceneResult& result_;
 };
 
-void verify_scene(const VerifyOptions& options, const ReferenceSource& source, int threads,
-                  SceneResult& result) {
+void verify_scene(const VerifyOptions& options, const Renderer& reference, int threads, SceneResult& result) {
   std::size_t warnings = 0;
   const Scene scene = load_scene(result.scene, options.dialect, [&](const std::string&) { ++warnings; });
-  const RenderRequest& request = scene.renders.front();
-  result.width = options.size ? options.size->width : request.width;
-  result.height = options.size ? options.size->height : request.height;
-  const Camera& camera = scene.camera(options.camera.empty() ? request.camera : options.camera);
-  SceneVerifier verifier(options, source, threads, scene, camera, result);
+  const Shot shot = shot_of(scene, options, result.scene);
+  result.width = shot.width;
+  result.height = shot.height;
+  SceneVerifier verifier(options, reference, threads, shot, result);
   verifier.whole(warnings);
   if (options.terms) verifier.by_terms();
 }
@@ -252,10 +233,11 @@ void judge(const AttributionJob& job, SceneResult& result) {
 
 VerifyReport verify(const std::vector<std::string>& scenes, const VerifyOptions& options,
                     const std::function<void(SceneResult&)>& done) {
-  const ReferenceSource source(options.stored);
+  const Reference reference = reference_renderer(options.reference);
   VerifyReport report;
-  report.reference_version = source.version();
-  report.notice = source.notice();
+  report.reference = reference.renderer->facts();
+  report.reference_version = reference.renderer->version();
+  report.notice = reference.notice;
   if (!report.notice.empty() && options.on_notice) options.on_notice(report.notice);
   for (const std::string& scene : scenes) report.scenes.emplace_back().scene = scene;
 
@@ -267,14 +249,14 @@ VerifyReport verify(const std::vector<std::string>& scenes, const VerifyOptions&
   in_parallel(report.scenes.size(), jobs, [&](std::size_t i) {
     SceneResult& result = report.scenes[i];
     try {
-      verify_scene(options, source, threads, result);
+      verify_scene(options, *reference.renderer, threads, result);
     } catch (const std::exception& error) {
       result.status = Status::error;
       result.message = error.what();
     }
     in_order.ready(i);  // throws what the caller's `done` throws
   });
-  report.complaint = source.complaint();
+  report.complaint = reference.renderer->complaint();
   return report;
 }
 

@@ -13,9 +13,9 @@
 #include "references/comparison/metrics/metrics.hpp"
 #include "references/comparison/pixel_mask.hpp"
 #include "references/gates/picture_options.hpp"
+#include "references/renderers/registry.hpp"
 #include "references/report/pictures.hpp"
 #include "references/truth/judgement.hpp"
-#include "tracer/scene/scene.hpp"
 #include "tracer/textbook/render.hpp"
 
 namespace plumb::references {
@@ -25,14 +25,12 @@ enum class Status { agree, differ, error };
 const char* to_string(Status status);
 
 struct VerifyOptions : PictureOptions {
-  bool stored = false;              ///< compare with stored images, start no POV-Ray
-  int jobs = 0;                     ///< scenes at once; 0: as many as keep the machine busy
-  double time_limit_seconds = 600;  ///< for one run of POV-Ray
-  bool terms = false;               ///< also compare each term of the shading alone
+  ReferenceOptions reference;
+  int jobs = 0;        ///< scenes at once; 0: as many as keep the machine busy
+  bool terms = false;  ///< also compare each term of the shading alone
   bool judge = false;  ///< also say, of each pixel over, who is wrong: ours nowhere, or it differs
   std::function<void(const std::string&)> on_notice;  ///< called first, when there is one; may be empty
-  /// Renders our side in place of `renderer`, to be judged; may be empty.
-  std::function<Image(const Scene&, const Camera&, const RenderJob&)> render_ours;
+  const Renderer* ours = nullptr;  ///< renders our side in place of `tracer`, to be judged; may be null
 };
 
 /// One term of the shading alone, on both sides.
@@ -69,6 +67,7 @@ struct SceneResult {
 void judge(const AttributionJob& job, SceneResult& result);
 
 struct VerifyReport {
+  RendererFacts reference;  ///< what was compared with
   std::string reference_version;
   std::string notice;               ///< to be said loudly: stored images are used because ...
   std::string complaint;            ///< to be said: the cache cannot be written; figures and verdicts stand

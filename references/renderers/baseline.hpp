@@ -1,11 +1,27 @@
-// The pictures that were approved as right.
+// The approved picture of one scene.
 #pragma once
 
-#include "references/renderers/resolution.hpp"
+#include "references/renderers/baselines.hpp"
+#include "references/renderers/renderer.hpp"
 
 namespace plumb::references {
 
-/// Of a picture that plumb rendered, on this machine or on another one.
-const Resolution& baseline_resolution();
+/// Its resolution is that of plumb, be the picture made on this machine or on another one; it is not known
+/// where somebody else's renderer made it.
+class BaselineRenderer : public Renderer {
+ public:
+  /// Both must outlive it.
+  BaselineRenderer(const Baselines& baselines, const Baseline& record);
+
+  /// Of the plumb that approved it.
+  std::string version() const override { return record_.version; }
+
+  /// The approved picture, in the size that it was approved in.
+  Rendered render(const Shot& shot) const override;
+
+ private:
+  const Baselines& baselines_;
+  const Baseline& record_;
+};
 
 }  // namespace plumb::references

@@ -45,11 +45,11 @@ std::optional<std::string> read_if_there(const std::string& path) {
   }
 }
 
-std::string key_of(const PovrayJob& job, const std::string& version) {
-  std::string all = "povray " + version;
-  for (const std::string& argument : povray_arguments(job)) all += " " + argument;
-  if (job.holds == Holds::bits16) all += " read from its PNG";  // of the same arguments
-  return sha256(all + "\n" + job.text);
+std::string key_of(const ExportedShot& shot, const std::string& version) {
+  std::string all = shot.renderer + " " + version;
+  for (const std::string& argument : shot.arguments) all += " " + argument;
+  if (shot.holds != Holds::float32) all += std::string(" read from its ") + to_string(shot.holds);
+  return sha256(all + "\n" + shot.text);
 }
 
 /// Notices damage; XXH3 because SHA-256 of the pixels costs as much as rendering them.
@@ -62,7 +62,7 @@ std::string checksum(std::string_view bytes) {
 }
 
 /// magic, checksum of the rest, a line of JSON, the floats
-std::string pack(const PovrayPicture& picture) {
+std::string pack(const Rendered& picture) {
   const Json about{{"width", picture.image.width},
                    {"height", picture.image.height},
                    {"cpu_seconds", picture.cpu_seconds},
@@ -75,7 +75,7 @@ std::string pack(const PovrayPicture& picture) {
   return entry_magic + checksum(rest) + "\n" + rest;
 }
 
-std::optional<PovrayPicture> unpack(std::string_view bytes) {
+std::optional<Rendered> unpack(std::string_view bytes) {
   constexpr std::size_t hash_length = 32;
   const std::string_view magic = entry_magic;
   if (!bytes.starts_with(magic) || bytes.size() < magic.size() + hash_length + 1) return std::nullopt;
@@ -84,7 +84,7 @@ std::optional<PovrayPicture> unpack(std::string_view bytes) {
   if (checksum(rest) != hash || bytes[magic.size() + hash_length] != '\n') return std::nullopt;
   const std::size_t line = rest.find('\n');
   const Json about = parse_json(rest.substr(0, line));
-  PovrayPicture picture;
+  Rendered picture;
   picture.image = Image(about.at("width"), about.at("height"));
   picture.cpu_seconds = about.at("cpu_seconds");
   picture.holds = holds_named(about.at("precision"));
@@ -107,21 +107,24 @@ std::string fingerprint(const std::string& program) {
 
 Cache::Cache() : directory_(default_directory()) {}
 
-std::string Cache::version_of(const Povray& povray) const {
-  const std::string print = fingerprint(povray.program());
+std::string Cache::version_of(const ProgramRenderer& renderer) const {
+  const std::string print = fingerprint(renderer.program());
   const std::string path = directory_ + "/version-" + sha256(print);
   if (const auto known = read_if_there(path)) {
     const std::string version = known->substr(0, known->find('\n'));
     if (*known == version + "\n" + checksum(print + version)) return version;
   }
-  const std::string version = povray.version();
+  const std::string version = renderer.version();
   write_entry(path, version + "\n" + checksum(print + version));
   return version;
 }
 
-std::string Cache::complaint() const {
+std::string Cache::complaint(const std::string& title) const {
   const std::lock_guard lock(mutex_);
-  return complaint_;
+  if (trouble_.empty()) return {};
+  return "warning: " + trouble_ + "; " + title +
+         "'s pictures are not kept, so the next run renders them again: make room or mend the permissions "
+         "there, or name another directory with PLUMB_CACHE";
 }
 
 void Cache::write_entry(const std::string& path, const std::string& bytes) const {
@@ -136,30 +139,27 @@ void Cache::write_entry(const std::string& path, const std::string& bytes) const
     cause = error.what();
   }
   const std::lock_guard lock(mutex_);
-  if (!complaint_.empty()) return;
-  complaint_ = "warning: " + cause +
-               "; POV-Ray's pictures are not kept, so the next run renders them again: make room or mend the "
-               "permissions there, or name another directory with PLUMB_CACHE";
+  if (trouble_.empty()) trouble_ = cause;
 }
 
-std::string Cache::entry_path(const PovrayJob& job, const std::string& version) const {
-  return directory_ + "/" + key_of(job, version) + ".picture";
+std::string Cache::entry_path(const ExportedShot& shot, const std::string& version) const {
+  return directory_ + "/" + key_of(shot, version) + ".picture";
 }
 
-std::optional<PovrayPicture> Cache::find(const PovrayJob& job, const std::string& version) const {
-  const std::string path = entry_path(job, version);
+std::optional<Rendered> Cache::find(const ExportedShot& shot, const std::string& version) const {
+  const std::string path = entry_path(shot, version);
   const auto bytes = read_if_there(path);
   if (!bytes) return std::nullopt;
   auto picture = unpack(*bytes);
-  if (!picture || picture->image.width != job.width || picture->image.height != job.height)
+  if (!picture || picture->image.width != shot.width || picture->image.height != shot.height)
     return std::nullopt;
   std::error_code ignored;
   fs::last_write_time(path, fs::file_time_type::clock::now(), ignored);  // used now, so pruned later
   return picture;
 }
 
-void Cache::store(const PovrayJob& job, const std::string& version, const PovrayPicture& picture) const {
-  write_entry(entry_path(job, version), pack(picture));
+void Cache::store(const ExportedShot& shot, const std::string& version, const Rendered& picture) const {
+  write_entry(entry_path(shot, version), pack(picture));
   prune();
 }
 

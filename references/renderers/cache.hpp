@@ -1,11 +1,11 @@
-// Pictures that POV-Ray rendered before, kept under a hash of all that determines them.
+// Pictures that programs rendered before, kept under a hash of all that determines them.
 #pragma once
 
 #include <mutex>
 #include <optional>
 #include <string>
 
-#include "references/renderers/povray.hpp"
+#include "references/renderers/renderer.hpp"
 
 namespace plumb::references {
 
@@ -17,21 +17,23 @@ class Cache {
 
   const std::string& directory() const { return directory_; }
 
-  /// Version of a povray program; asks it only when the file at its path is another than last time.
-  std::string version_of(const Povray& povray) const;
+  /// Version of a program; asks it only when the file at its path is another than last time. Throws what it
+  /// throws when it is absent or does not tell.
+  std::string version_of(const ProgramRenderer& renderer) const;
 
   /// Nothing when there is no entry, or a damaged one: every entry carries a hash of its own bytes.
-  std::optional<PovrayPicture> find(const PovrayJob& job, const std::string& version) const;
+  std::optional<Rendered> find(const ExportedShot& shot, const std::string& version) const;
 
   /// A cache that cannot be written (a full disk, say) is no error: the next run renders again, and
   /// complaint() tells of it.
-  void store(const PovrayJob& job, const std::string& version, const PovrayPicture& picture) const;
+  void store(const ExportedShot& shot, const std::string& version, const Rendered& picture) const;
 
-  /// Where the entry of a job is, or would be.
-  std::string entry_path(const PovrayJob& job, const std::string& version) const;
+  /// Where the entry of a shot is, or would be.
+  std::string entry_path(const ExportedShot& shot, const std::string& version) const;
 
-  /// What could not be written first, why, and what to do about it; empty when all could.
-  std::string complaint() const;
+  /// What could not be written first, why, and what to do about it; empty when all could. `title` is the
+  /// renderer's, whose pictures are not kept.
+  std::string complaint(const std::string& title) const;
 
  private:
   void write_entry(const std::string& path, const std::string& bytes) const;
@@ -39,7 +41,7 @@ class Cache {
 
   std::string directory_;
   mutable std::mutex mutex_;
-  mutable std::string complaint_;
+  mutable std::string trouble_;  // the first
 };
 
 /// Most bytes that a cache keeps; the entries used least recently go first.

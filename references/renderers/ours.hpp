@@ -1,6 +1,8 @@
-// Which of the two tracers renders a picture.
+// Plumb as a renderer: which of its two tracers renders a picture.
 #pragma once
 
+#include "references/renderers/renderer.hpp"
+#include "tracer/engine/settings.hpp"
 #include "tracer/engine/statistics.hpp"
 #include "tracer/image/bands.hpp"
 #include "tracer/image/image.hpp"
@@ -10,18 +12,36 @@
 namespace plumb::references {
 
 /// The readable one, or the fast one; both give the same picture.
-enum class Renderer { textbook, engine };
+enum class OwnTracer { textbook, engine };
 
 /// What renders when this one is asked for a picture in that real type.
-Renderer renderer_for(Renderer asked, RealType real);
+OwnTracer tracer_for(OwnTracer asked, RealType real);
 
 /// Hands the picture on, band by band; otherwise as below.
-void render(Renderer renderer, const Scene& scene, const Camera& camera, const RenderJob& job,
+void render(OwnTracer tracer, const Scene& scene, const Camera& camera, const RenderJob& job,
             const BandSink& sink, engine::Statistics* statistics = nullptr);
 
 /// The engine knows float and double; what is asked of it in another real type, the textbook tracer renders.
 /// `statistics` may be null; of the textbook tracer they say the time alone.
-Image render(Renderer renderer, const Scene& scene, const Camera& camera, const RenderJob& job,
+Image render(OwnTracer tracer, const Scene& scene, const Camera& camera, const RenderJob& job,
              engine::Statistics* statistics = nullptr);
+
+/// Of pictures that plumb renders in double, here or on another machine.
+const Resolution& own_resolution();
+
+/// As render() above, with a shot's size and options.
+class OurRenderer : public Renderer {
+ public:
+  /// The settings are the engine's.
+  explicit OurRenderer(OwnTracer tracer, RenderJob how = {}, engine::Settings settings = {});
+
+  std::string version() const override;
+  Rendered render(const Shot& shot) const override;
+
+ private:
+  OwnTracer tracer_;
+  RenderJob how_;
+  engine::Settings settings_;
+};
 
 }  // namespace plumb::references

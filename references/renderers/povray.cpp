@@ -112,7 +112,7 @@ Image read_png(const std::string& path, const PovrayJob& job) {
 
 /// The checked fall-back when the state file cannot be used.
 void fall_back_to_png(const std::string& path, const PovrayJob& job, const std::string& why,
-                      PovrayPicture& picture) {
+                      Rendered& picture) {
   try {
     picture.image = read_png(path, job);
   } catch (const std::runtime_error& error) {
@@ -162,6 +162,10 @@ std::vector<std::string> povray_arguments(const PovrayJob& job) {
   return arguments;
 }
 
+ExportedShot exported_by(const PovrayJob& job) {
+  return {"povray", povray_arguments(job), job.text, job.width, job.height, job.holds};
+}
+
 Povray::Povray() : program_(find_program("povray")) {
   if (program_.empty())
     throw PovrayError("povray is not on PATH; install it (apt-get install povray) or use --stored");
@@ -179,7 +183,7 @@ std::string Povray::version() const {
   return result.output.substr(begin, result.output.find_first_of(" \r\n", begin) - begin);
 }
 
-PovrayPicture Povray::render(const PovrayJob& job) const {
+Rendered Povray::render(const PovrayJob& job) const {
   const TemporaryDirectory directory;
   const std::string state = directory.path() + "/t.state";
   write_file(directory.path() + "/in.pov", job.text);
@@ -195,7 +199,7 @@ PovrayPicture Povray::render(const PovrayJob& job) const {
   const std::string failure = why_it_failed(result, job);
   if (!failure.empty()) throw PovrayError(failure);
 
-  PovrayPicture picture;
+  Rendered picture;
   picture.cpu_seconds = result.cpu_seconds;
   picture.warnings = lines_with(result.output, {"Warning"}, job.text);
   picture.holds = job.holds;
@@ -209,6 +213,33 @@ PovrayPicture Povray::render(const PovrayJob& job) const {
     fall_back_to_png(directory.path() + "/out.png", job, error.what(), picture);
   }
   return picture;
+}
+
+PovrayRenderer::PovrayRenderer(PovraySettings settings)
+    : ProgramRenderer({"povray", "POV-Ray", settings.holds, povray_resolution()}),
+      settings_(std::move(settings)) {}
+
+PovrayJob PovrayRenderer::job_of(const Shot& shot) const {
+  const auto space = settings_.in_own_units ? exporters::ExportSpace{1, Vec3d(0), false, false}
+                                            : exporters::export_space(shot.scene, shot.camera);
+  const auto exported = exporters::export_povray(shot, space);
+  return {exported.text,
+          shot.width,
+          shot.height,
+          exported.needs_flat_objects,
+          settings_.time_limit_seconds,
+          settings_.more_arguments,
+          settings_.holds};
+}
+
+ExportedShot PovrayRenderer::exported(const Shot& shot) const { return exported_by(job_of(shot)); }
+
+Rendered PovrayRenderer::render(const Shot& shot) const { return Povray().render(job_of(shot)); }
+
+std::unique_ptr<const ProgramRenderer> povray_renderer(double time_limit_seconds) {
+  PovraySettings settings;
+  settings.time_limit_seconds = time_limit_seconds;
+  return std::make_unique<PovrayRenderer>(std::move(settings));
 }
 
 }  // namespace plumb::references

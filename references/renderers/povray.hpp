@@ -1,12 +1,12 @@
 // Runs the real POV-Ray and takes its linear float32 pixels.
 #pragma once
 
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "references/renderers/holds.hpp"
-#include "references/renderers/resolution.hpp"
+#include "references/renderers/renderer.hpp"
 #include "tracer/image/image.hpp"
 
 namespace plumb::references {
@@ -28,15 +28,11 @@ struct PovrayJob {
   Holds holds = Holds::float32;
 };
 
-struct PovrayPicture {
-  Image image;
-  double cpu_seconds = 0;
-  Holds holds = Holds::float32;  ///< as asked for, or bits16 when the state file could not be used
-  std::string warnings;          ///< what POV-Ray warned of, a line each; empty when nothing
-};
-
 /// The command line after the program's name; the same for every run, so that it can be recorded.
 std::vector<std::string> povray_arguments(const PovrayJob& job);
+
+/// What POV-Ray is asked.
+ExportedShot exported_by(const PovrayJob& job);
 
 /// Of POV-Ray 3.7 with the scenes that plumb exports.
 const Resolution& povray_resolution();
@@ -52,10 +48,35 @@ class Povray {
   std::string version() const;
 
   /// May be called from several threads. Throws PovrayError.
-  PovrayPicture render(const PovrayJob& job) const;
+  Rendered render(const PovrayJob& job) const;
 
  private:
   std::string program_;
 };
+
+struct PovraySettings {
+  Holds holds = Holds::float32;
+  std::vector<std::string> more_arguments{};  ///< after all others, which they override
+  double time_limit_seconds = 600;
+  bool in_own_units = false;  ///< of the scene, in which POV-Ray is at its weakest
+};
+
+/// Exports a shot, and has POV-Ray render it.
+class PovrayRenderer : public ProgramRenderer {
+ public:
+  explicit PovrayRenderer(PovraySettings settings = {});
+
+  std::string program() const override { return Povray().program(); }
+  std::string version() const override { return Povray().version(); }
+  ExportedShot exported(const Shot& shot) const override;
+  Rendered render(const Shot& shot) const override;
+
+ private:
+  PovrayJob job_of(const Shot& shot) const;
+
+  PovraySettings settings_;
+};
+
+std::unique_ptr<const ProgramRenderer> povray_renderer(double time_limit_seconds);
 
 }  // namespace plumb::references

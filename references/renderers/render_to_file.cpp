@@ -56,11 +56,11 @@ int rows_of_a_band(const RenderJob& job, const Streaming& streaming) {
 
 }  // namespace
 
-RenderedFile render_to_file(Renderer renderer, const Scene& scene, const Camera& camera, const RenderJob& job,
+RenderedFile render_to_file(OwnTracer tracer, const Scene& scene, const Camera& camera, const RenderJob& job,
                             const std::string& path, Encoding encoding, engine::Statistics* statistics,
                             const Streaming& streaming) {
   Destination destination(path, encoding, job);
-  render(renderer, scene, camera, job,
+  render(tracer, scene, camera, job,
          {rows_of_a_band(job, streaming), [&](Image&& band) { destination.take(std::move(band)); }},
          statistics);
   const engine::Stopwatch writing;

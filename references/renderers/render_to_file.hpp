@@ -27,7 +27,7 @@ struct RenderedFile {
 
 /// Renders as render() and writes as ImageWriter does it: nothing half-written is left, whatever ends it.
 /// Throws what they throw.
-RenderedFile render_to_file(Renderer renderer, const Scene& scene, const Camera& camera, const RenderJob& job,
+RenderedFile render_to_file(OwnTracer tracer, const Scene& scene, const Camera& camera, const RenderJob& job,
                             const std::string& path, Encoding encoding, engine::Statistics* statistics,
                             const Streaming& streaming = usual_streaming);
 

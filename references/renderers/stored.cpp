@@ -99,4 +99,27 @@ void StoredReferences::store(StoredReference entry, const Image& image) {
   write_file(directory_ + provenance_name, json_text(all, 2) + "\n");
 }
 
+StoredRenderer::StoredRenderer(std::unique_ptr<const ProgramRenderer> renderer)
+    : Renderer(renderer->facts()),
+      renderer_(std::move(renderer)),
+      stored_(StoredReferences::default_directory()) {}
+
+std::string StoredRenderer::version() const {
+  const auto& all = stored_.all();
+  const auto first =
+      std::find_if(all.begin(), all.end(), [&](const auto& entry) { return entry.renderer == facts().name; });
+  return first == all.end() ? "" : first->version;
+}
+
+Rendered StoredRenderer::render(const Shot& shot) const {
+  const auto entry = stored_.find(renderer_->exported(shot).text, shot.width, shot.height);
+  if (!entry) {
+    throw std::runtime_error("no stored reference image for this export at " + std::to_string(shot.width) +
+                             " x " + std::to_string(shot.height) + "; run with " + facts().title);
+  }
+  Rendered picture{stored_.load(*entry)};
+  picture.cached = picture.stored = true;
+  return picture;
+}
+
 }  // namespace plumb::references

@@ -1,10 +1,12 @@
 // Reference images that are kept in the repository, each with where it came from.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "references/renderers/renderer.hpp"
 #include "tracer/image/image.hpp"
 
 namespace plumb::references {
@@ -16,7 +18,7 @@ struct StoredReference {
   int height = 0;
   std::string export_sha256;  ///< of the exported text; finds the image again
   std::string pixels_sha256;  ///< of the float32 values
-  std::string renderer;       ///< "povray"
+  std::string renderer;       ///< its name, e.g. "povray"
   std::string version;
   std::string command;  ///< by which the renderer made it from the exported text
 };
@@ -43,6 +45,20 @@ class StoredReferences {
  private:
   std::string directory_;
   std::vector<StoredReference> entries_;
+};
+
+/// A program's pictures, rendered before: no program is started, and none is needed.
+class StoredRenderer : public Renderer {
+ public:
+  explicit StoredRenderer(std::unique_ptr<const ProgramRenderer> renderer);
+
+  /// Of the first image that it made; empty when there is none.
+  std::string version() const override;
+  Rendered render(const Shot& shot) const override;
+
+ private:
+  std::unique_ptr<const ProgramRenderer> renderer_;
+  StoredReferences stored_;
 };
 
 }  // namespace plumb::references

@@ -25,10 +25,10 @@ std::shared_ptr<const Pictures> pictures_of(const AttributionJob& job, const Com
   pictures->ours = std::make_shared<const Image>(job.test);
   constexpr std::size_t most_text = 4'000'000;
   std::size_t text = 0;
-  const TreeTracer tracer(job.scene, job.camera, job.test.width, job.test.height, job.options);
+  const TreeTracer tracer(job.shot);
   for (const PixelPlace p : places_to_explain(comparison, budget)) {
     if (text > most_text) break;
-    pictures->explanations.emplace_back(p, explain_text(job.scene, tracer.tree_of(p.x, p.y)));
+    pictures->explanations.emplace_back(p, explain_text(job.shot.scene, tracer.tree_of(p.x, p.y)));
     text += pictures->explanations.back().second.size();
   }
   return pictures;

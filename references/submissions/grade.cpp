@@ -104,7 +104,7 @@ std::string judge_picture(const std::string& file, const JudgedScene& scene, con
   const std::string summary = summary_of(*result.diagnosis);
   result.message = summary + (summary.empty() || left.empty() ? "" : "; ") + left;
   if (!options.keeps_pictures) return {};
-  return figures_of(render(Renderer::engine, scene.scene, camera, job), *seen, result.diagnosis->encoding);
+  return figures_of(render(OwnTracer::engine, scene.scene, camera, job), *seen, result.diagnosis->encoding);
 }
 
 /// The HTML of the pictures, when they are kept.

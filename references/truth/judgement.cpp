@@ -30,9 +30,7 @@ struct Wrong {
 class PixelJudge {
  public:
   PixelJudge(const AttributionJob& job, double most_work)
-      : job_(job),
-        work_(most_work),
-        oracle_(job.scene, job.camera, job.test.width, job.test.height, job.options, work_) {}
+      : job_(job), work_(most_work), oracle_(job.shot, work_) {}
 
   bool is_out_of_work() const { return work_.is_over(); }
 

@@ -211,7 +211,7 @@ class Oracle::ViewBy final : public View {
       : scene_(std::move(scene)),
         world_(scene_, formulas),
         limit_(units_of_ray(scene_, world_.instances()), of.work_),
-        tracer_(world_, camera, of.width_, of.height_, of.options_, limit_) {
+        tracer_(world_, camera, of.shot_.width, of.shot_.height, of.shot_.options, limit_) {
     of.work_.spend(units_of_quad * units_of_shape * static_cast<double>(scene_.shapes.size()));
   }
 
@@ -228,17 +228,12 @@ class Oracle::ViewBy final : public View {
   textbook::Tracer<Quad, Formulas, QuadLimit> tracer_;
 };
 
-Oracle::Oracle(const Scene& scene, const Camera& camera, int width, int height, const RenderOptions& options,
-               Work& work)
-    : scene_(scene),
-      camera_(camera),
-      width_(width),
-      height_(height),
-      options_(options),
+Oracle::Oracle(const Shot& shot, Work& work)
+    : shot_(shot),
       work_(work),
       as_written_(std::make_unique<ViewBy<textbook::LectureFormulas<Quad>>>(
-          scene, camera, *this, textbook::LectureFormulas<Quad>{})),
-      rounds_(!eye_is_on_glass(scene, camera)),
+          shot.scene, shot.camera, *this, textbook::LectureFormulas<Quad>{})),
+      rounds_(!eye_is_on_glass(shot.scene, shot.camera)),
       moved_(patterns + rounded_patterns) {}
 
 Oracle::~Oracle() = default;
@@ -254,8 +249,8 @@ std::optional<Rgb<Quad>> Oracle::colour_when_moved(int x, int y, int pattern) co
 std::unique_ptr<Oracle::View> Oracle::moved_view(int pattern) const {
   const bool is_rounded = pattern >= patterns;
   const int way = is_rounded ? (pattern - patterns) % free_patterns : pattern;
-  Scene scene = with_other_last_digits(scene_, way);
-  const Camera camera = with_other_last_digits(camera_, way);
+  Scene scene = with_other_last_digits(shot_.scene, way);
+  const Camera camera = with_other_last_digits(shot_.camera, way);
   if (!is_rounded) {
     return std::make_unique<ViewBy<textbook::LectureFormulas<Quad>>>(std::move(scene), camera, *this,
                                                                      textbook::LectureFormulas<Quad>{});

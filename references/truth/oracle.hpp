@@ -7,8 +7,7 @@
 
 #include "references/attribution/pixel_tracer.hpp"
 #include "tracer/formulas/quad.hpp"
-#include "tracer/scene/render_options.hpp"
-#include "tracer/scene/scene.hpp"
+#include "tracer/scene/shot.hpp"
 
 namespace plumb::references {
 
@@ -68,9 +67,8 @@ class Oracle {
   static constexpr int patterns = 48;
   static constexpr int rounded_patterns = 64;  ///< after them, that also round anew at each ray and shape
 
-  /// All must outlive it.
-  Oracle(const Scene& scene, const Camera& camera, int width, int height, const RenderOptions& options,
-         Work& work);
+  /// The work must outlive it, too.
+  Oracle(const Shot& shot, Work& work);
   ~Oracle();
   Oracle(const Oracle&) = delete;
   Oracle& operator=(const Oracle&) = delete;
@@ -97,11 +95,7 @@ class Oracle {
 
   std::unique_ptr<View> moved_view(int pattern) const;
 
-  const Scene& scene_;
-  const Camera& camera_;
-  int width_;
-  int height_;
-  RenderOptions options_;
+  Shot shot_;
   Work& work_;
   std::unique_ptr<View> as_written_;
   bool rounds_;

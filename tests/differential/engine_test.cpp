@@ -7,7 +7,7 @@
 
 #include "references/attribution/attribution.hpp"
 #include "references/comparison/comparison.hpp"
-#include "references/renderers/baseline.hpp"
+#include "references/renderers/ours.hpp"
 #include "tests/support/random_scene.hpp"
 #include "tests/support/run.hpp"
 #include "tracer/engine/render.hpp"
@@ -35,8 +35,11 @@ RenderJob small(const RenderOptions& options) {
 /// because they evaluate the same formulas in double; what differs by more must be a tie.
 std::size_t unexplained(const Scene& scene, const Camera& camera, const RenderJob& job, const Image& engine) {
   const Image textbook = textbook::render(scene, camera, job);
-  return references::attribute(
-             {scene, camera, job.options, textbook, engine, 1e-6, references::baseline_resolution()})
+  return references::attribute({{scene, camera, job.width, job.height, job.options},
+                                textbook,
+                                engine,
+                                1e-6,
+                                references::own_resolution()})
       .count(references::Cause::unexplained);
 }
 

@@ -12,7 +12,7 @@ namespace plumb::tests {
 namespace {
 
 using references::Judgement;
-using references::Renderer;
+using references::OwnTracer;
 using references::Verdict;
 
 /// PLUMB_JUDGED_SCENES says how many, PLUMB_JUDGED_WIDTH how large; three quarters as high.
@@ -31,12 +31,17 @@ TEST(JudgedScenes, OursIsNowhereWrong) {
     job.height = width * 3 / 4;
     job.options = random.options;
     job.real = RealType::quad;
-    const Image oracle = references::render(Renderer::textbook, scene, camera, job);
+    const Image oracle = references::render(OwnTracer::textbook, scene, camera, job);
     job.real = RealType::float64;
-    for (const Renderer renderer : {Renderer::textbook, Renderer::engine}) {
+    for (const OwnTracer renderer : {OwnTracer::textbook, OwnTracer::engine}) {
       const Image ours = references::render(renderer, scene, camera, job);
-      const Judgement judgement = references::judge_pixels(
-          {scene, camera, random.options, oracle, ours, 1e-6, references::povray_resolution()}, enough);
+      const Judgement judgement =
+          references::judge_pixels({{scene, camera, ours.width, ours.height, random.options},
+                                    oracle,
+                                    ours,
+                                    1e-6,
+                                    references::povray_resolution()},
+                                   enough);
       EXPECT_EQ(judgement.pixels.size(), judgement.count(Verdict::undecided))
           << "seed " << seed << ": " << judgement.note();
       EXPECT_EQ(judgement.not_judged, 0U) << "seed " << seed << ": " << judgement.note();

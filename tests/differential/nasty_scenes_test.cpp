@@ -228,8 +228,8 @@ TEST(NastyScenes, NoOutputContradictsAnother) {
         << "seed " << seed << ": " << result.message << "\n"
         << read_file(path);
     const Scene scene = load_scene(path, Dialect{});
-    const references::TreeTracer tracer(scene, scene.cameras.front(), result.width, result.height,
-                                        random.options);
+    const references::TreeTracer tracer(
+        {scene, scene.cameras.front(), result.width, result.height, random.options});
     for (const references::JudgedPixel& p : judged.pixels) {
       const references::RayNode tree = tracer.tree_of(p.x, p.y);
       if (references::is_cut(tree)) continue;

@@ -24,7 +24,7 @@ namespace {
 
 using references::Comparison;
 using references::PovrayJob;
-using references::PovrayPicture;
+using references::Rendered;
 
 struct Tolerance {
   double value;
@@ -57,21 +57,21 @@ RenderOptions with_depth(int depth) { return {depth, GlassShadow::full}; }
 RenderOptions with_shadow(GlassShadow shadow) { return {RenderOptions{}.depth, shadow}; }
 
 PovrayJob job_of(const Picture& picture) {
-  const auto exported = exporters::export_povray(picture.scene, picture.camera(), picture.width,
-                                                 picture.height, picture.options);
+  const auto exported = exporters::export_povray(
+      {picture.scene, picture.camera(), picture.width, picture.height, picture.options});
   return {exported.text, picture.width, picture.height, exported.needs_flat_objects};
 }
 
 /// All at once, because POV-Ray mostly waits.
 std::vector<Image> rendered_by_povray(const std::vector<PovrayJob>& jobs) {
   const references::Povray povray;
-  std::vector<std::future<PovrayPicture>> running;
+  std::vector<std::future<Rendered>> running;
   for (const PovrayJob& job : jobs) {
     running.push_back(std::async(std::launch::async, [&povray, &job] { return povray.render(job); }));
   }
   std::vector<Image> images;
   for (std::size_t i = 0; i < jobs.size(); ++i) {
-    PovrayPicture picture = running[i].get();
+    Rendered picture = running[i].get();
     EXPECT_EQ(picture.holds, references::Holds::float32);
     EXPECT_EQ(picture.warnings, "") << jobs[i].text;
     images.push_back(std::move(picture.image));

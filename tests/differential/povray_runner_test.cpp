@@ -25,11 +25,13 @@ namespace {
 
 namespace fs = std::filesystem;
 using references::Cache;
+using references::ExportedShot;
 using references::Holds;
 using references::Povray;
 using references::PovrayError;
 using references::PovrayJob;
-using references::PovrayPicture;
+using references::PovrayRenderer;
+using references::Rendered;
 
 /// An environment variable for the length of a scope.
 class Variable {
@@ -131,7 +133,7 @@ TEST(PovrayRunner, WarningsAreTold) {
       {"a zero matrix", start + "sphere { <0,0,9>, 1 matrix <0,0,0,0,0,0,0,0,0,0,0,0> }\n"},
       {"a union of one", start + "union { sphere { <0,0,9>, 1 } }\n"}};
   const Povray povray;
-  std::vector<std::future<PovrayPicture>> running;
+  std::vector<std::future<Rendered>> running;
   for (const Case& c : cases) {
     running.push_back(std::async(std::launch::async, [&povray, &c] {
       return povray.render({c.sdl, width, height});
@@ -147,7 +149,7 @@ TEST(PovrayRunner, WarningsAreTold) {
 }
 
 TEST(PovrayRunner, ASceneThatIsFineGivesNoWarningsAndItsCpuTime) {
-  const PovrayPicture picture = Povray().render(job_with_background("0.5,1.5,0.25"));
+  const Rendered picture = Povray().render(job_with_background("0.5,1.5,0.25"));
   EXPECT_EQ(picture.warnings, "");
   EXPECT_EQ(picture.holds, Holds::float32);
   EXPECT_GT(picture.cpu_seconds, 0);
@@ -162,7 +164,7 @@ TEST(PovrayRunner, ASceneThatIsFineGivesNoWarningsAndItsCpuTime) {
 
 TEST(PovrayRunner, SeveralRunsAtOnceDoNotDisturbEachOther) {
   const Povray povray;
-  std::vector<std::future<PovrayPicture>> running;
+  std::vector<std::future<Rendered>> running;
   for (int i = 0; i < 10; ++i) {
     running.push_back(std::async(std::launch::async, [&povray, i] {
       return povray.render(job_with_background(std::to_string(i) + ",0,0.5"));
@@ -251,7 +253,7 @@ TEST(PovrayRunner, WithoutAUsableStateFileItsPngIsTakenAndThatIsSaid) {
                             "head -c 5000 /dev/zero > out.pov-state\n", "rm -f out.pov-state t.state\n"}) {
     const FakePovray fake(std::string(state) + "cp \"${0%/*}/good.png\" out.png\n");
     write_image(fake.workplace().path("good.png"), image, Encoding::linear);
-    const PovrayPicture picture = Povray().render(job_with_background("0,0,0"));
+    const Rendered picture = Povray().render(job_with_background("0,0,0"));
     EXPECT_EQ(picture.holds, Holds::bits16);
     EXPECT_TRUE(has(picture.warnings, "state")) << picture.warnings;
     EXPECT_TRUE(has(picture.warnings, "clamped at 1")) << picture.warnings;
@@ -315,8 +317,8 @@ TEST(PovrayRunner, AProgramThatIsNoPovrayIsFoundOutByItsVersion) {
 
 // The cache.
 
-PovrayPicture some_picture() {
-  PovrayPicture picture;
+Rendered some_picture() {
+  Rendered picture;
   picture.image = Image(width, height);
   for (std::size_t i = 0; i < picture.image.rgb.size(); ++i)
     picture.image.rgb[i] = 0.1F * static_cast<float>(i);
@@ -342,20 +344,20 @@ class CacheOfPictures : public testing::Test {
  protected:
   Workplace workplace_;
   Cache cache_{workplace_.path("cache")};
-  PovrayJob job_ = job_with_background("0.25,0.5,1");
+  ExportedShot shot_ = references::exported_by(job_with_background("0.25,0.5,1"));
   std::string version_ = "3.7.0";
 };
 
 TEST_F(CacheOfPictures, NothingIsFoundNorMadeBeforeSomethingIsStored) {
-  EXPECT_FALSE(cache_.find(job_, version_).has_value());
+  EXPECT_FALSE(cache_.find(shot_, version_).has_value());
   EXPECT_FALSE(fs::exists(workplace_.path("cache")));
 }
 
 TEST_F(CacheOfPictures, WhatIsFoundIsTheSameToTheLastBit) {
-  const PovrayPicture stored = some_picture();
-  cache_.store(job_, version_, stored);
+  const Rendered stored = some_picture();
+  cache_.store(shot_, version_, stored);
   for (int i = 0; i < 2; ++i) {
-    const auto found = Cache(workplace_.path("cache")).find(job_, version_);
+    const auto found = Cache(workplace_.path("cache")).find(shot_, version_);
     ASSERT_TRUE(found.has_value());
     EXPECT_TRUE(same_bits(found->image, stored.image));
     EXPECT_EQ(found->cpu_seconds, stored.cpu_seconds);
@@ -365,112 +367,120 @@ TEST_F(CacheOfPictures, WhatIsFoundIsTheSameToTheLastBit) {
 }
 
 TEST_F(CacheOfPictures, WarningsThatAreNoUtf8AreStoredOrNotButNeverThrow) {
-  PovrayPicture picture = some_picture();
+  Rendered picture = some_picture();
   picture.warnings = "Warning: \xFF\xC3\x28";
-  EXPECT_NO_THROW(cache_.store(job_, version_, picture));
-  EXPECT_NO_THROW(cache_.find(job_, version_));
+  EXPECT_NO_THROW(cache_.store(shot_, version_, picture));
+  EXPECT_NO_THROW(cache_.find(shot_, version_));
 }
 
 TEST_F(CacheOfPictures, AFlippedBitAnywhereIsNoticed) {
-  cache_.store(job_, version_, some_picture());
-  const std::string path = cache_.entry_path(job_, version_);
+  cache_.store(shot_, version_, some_picture());
+  const std::string path = cache_.entry_path(shot_, version_);
   const std::string good = read_file(path);
   ASSERT_GT(good.size(), width * height * 3 * sizeof(float));
   for (std::size_t at = 0; at < good.size(); ++at) {
     std::string bytes = good;
     bytes[at] = static_cast<char>(bytes[at] ^ (1 << (at % 8)));
     write_bytes(path, bytes);
-    EXPECT_FALSE(cache_.find(job_, version_).has_value()) << "byte " << at << " of " << good.size();
+    EXPECT_FALSE(cache_.find(shot_, version_).has_value()) << "byte " << at << " of " << good.size();
   }
   write_bytes(path, good);
-  EXPECT_TRUE(cache_.find(job_, version_).has_value());
+  EXPECT_TRUE(cache_.find(shot_, version_).has_value());
 }
 
 TEST_F(CacheOfPictures, ATruncatedOrLongerEntryIsNoticed) {
-  cache_.store(job_, version_, some_picture());
-  const std::string path = cache_.entry_path(job_, version_);
+  cache_.store(shot_, version_, some_picture());
+  const std::string path = cache_.entry_path(shot_, version_);
   const std::string good = read_file(path);
   for (std::size_t length = 0; length < good.size(); ++length) {
     write_bytes(path, good.substr(0, length));
-    EXPECT_FALSE(cache_.find(job_, version_).has_value()) << "the first " << length << " bytes";
+    EXPECT_FALSE(cache_.find(shot_, version_).has_value()) << "the first " << length << " bytes";
   }
   write_bytes(path, good + '\0');
-  EXPECT_FALSE(cache_.find(job_, version_).has_value());
+  EXPECT_FALSE(cache_.find(shot_, version_).has_value());
 }
 
 TEST_F(CacheOfPictures, ADamagedEntryIsReplaced) {
-  cache_.store(job_, version_, some_picture());
-  write_bytes(cache_.entry_path(job_, version_), "damaged");
-  ASSERT_FALSE(cache_.find(job_, version_).has_value());
-  cache_.store(job_, version_, some_picture());
-  EXPECT_TRUE(cache_.find(job_, version_).has_value());
+  cache_.store(shot_, version_, some_picture());
+  write_bytes(cache_.entry_path(shot_, version_), "damaged");
+  ASSERT_FALSE(cache_.find(shot_, version_).has_value());
+  cache_.store(shot_, version_, some_picture());
+  EXPECT_TRUE(cache_.find(shot_, version_).has_value());
 }
 
 TEST_F(CacheOfPictures, AllThatDeterminesThePictureIsInTheKey) {
-  cache_.store(job_, version_, some_picture());
-  PovrayJob other = job_;
+  cache_.store(shot_, version_, some_picture());
+  ExportedShot other = shot_;
   other.text += " ";
   EXPECT_FALSE(cache_.find(other, version_).has_value()) << "text";
-  other = job_;
+  other = shot_;
   other.width = height;
   other.height = width;
   EXPECT_FALSE(cache_.find(other, version_).has_value()) << "size";
-  other = job_;
-  other.without_bounding = true;
+  other = shot_;
+  other.arguments.emplace_back("-MB");
   EXPECT_FALSE(cache_.find(other, version_).has_value()) << "options";
-  EXPECT_FALSE(cache_.find(job_, version_ + "1").has_value()) << "version";
-  other = job_;
-  other.time_limit_seconds = 1;
-  EXPECT_TRUE(cache_.find(other, version_).has_value()) << "the time limit changes no picture";
+  EXPECT_FALSE(cache_.find(shot_, version_ + "1").has_value()) << "version";
+  other = shot_;
+  other.renderer = "other";
+  EXPECT_FALSE(cache_.find(other, version_).has_value()) << "renderer";
+  other = shot_;
+  other.holds = Holds::bits16;
+  EXPECT_FALSE(cache_.find(other, version_).has_value()) << "which of its files is read";
+  PovrayJob patient = job_with_background("0.25,0.5,1");
+  patient.time_limit_seconds = 1;
+  EXPECT_TRUE(cache_.find(references::exported_by(patient), version_).has_value())
+      << "the time limit changes no picture";
 }
 
 TEST_F(CacheOfPictures, AnEntryForAnotherSizeInItsPlaceIsNotTaken) {
-  PovrayJob other = job_;
-  other.width = height;
-  other.height = width;
-  PovrayPicture picture = some_picture();
+  PovrayJob upright = job_with_background("0.25,0.5,1");
+  upright.width = height;
+  upright.height = width;
+  const ExportedShot other = references::exported_by(upright);
+  Rendered picture = some_picture();
   std::swap(picture.image.width, picture.image.height);
   cache_.store(other, version_, picture);
-  fs::copy_file(cache_.entry_path(other, version_), cache_.entry_path(job_, version_));
-  EXPECT_FALSE(cache_.find(job_, version_).has_value());
+  fs::copy_file(cache_.entry_path(other, version_), cache_.entry_path(shot_, version_));
+  EXPECT_FALSE(cache_.find(shot_, version_).has_value());
 }
 
 TEST_F(CacheOfPictures, ADirectoryThatCannotBeWrittenIsNoError) {
   const Cache under_a_file(workplace_.file("file", "") + "/cache");
-  EXPECT_NO_THROW(under_a_file.store(job_, version_, some_picture()));
-  EXPECT_FALSE(under_a_file.find(job_, version_).has_value());
+  EXPECT_NO_THROW(under_a_file.store(shot_, version_, some_picture()));
+  EXPECT_FALSE(under_a_file.find(shot_, version_).has_value());
   const FakePovray fake("echo 'POV-Ray 1.2.3'\n");
-  EXPECT_EQ(under_a_file.version_of(Povray()), "1.2.3");
+  EXPECT_EQ(under_a_file.version_of(PovrayRenderer()), "1.2.3");
 }
 
 TEST_F(CacheOfPictures, ManyThreadsMayStoreAndFindTheSameEntry) {
-  const PovrayPicture stored = some_picture();
+  const Rendered stored = some_picture();
   std::atomic<int> wrong{0};
   {
     std::vector<std::jthread> threads;
     for (int t = 0; t < 4; ++t) {
       threads.emplace_back([&] {
         for (int i = 0; i < 50; ++i) {
-          cache_.store(job_, version_, stored);
-          const auto found = cache_.find(job_, version_);
+          cache_.store(shot_, version_, stored);
+          const auto found = cache_.find(shot_, version_);
           if (found && !same_bits(found->image, stored.image)) ++wrong;
         }
       });
     }
   }
   EXPECT_EQ(wrong, 0);
-  EXPECT_TRUE(cache_.find(job_, version_).has_value());
+  EXPECT_TRUE(cache_.find(shot_, version_).has_value());
 }
 
 TEST_F(CacheOfPictures, TheEnvironmentSaysWhereItIs) {
   const Variable own("PLUMB_CACHE", workplace_.path("own"));
-  EXPECT_TRUE(Cache().entry_path(job_, version_).starts_with(workplace_.path("own") + "/"));
+  EXPECT_TRUE(Cache().entry_path(shot_, version_).starts_with(workplace_.path("own") + "/"));
   const Variable none("PLUMB_CACHE", "");
   const Variable xdg("XDG_CACHE_HOME", workplace_.path("xdg"));
-  EXPECT_TRUE(Cache().entry_path(job_, version_).starts_with(workplace_.path("xdg") + "/plumb/"));
+  EXPECT_TRUE(Cache().entry_path(shot_, version_).starts_with(workplace_.path("xdg") + "/plumb/"));
   const Variable no_xdg("XDG_CACHE_HOME", "");
   const Variable home("HOME", workplace_.path("home"));
-  EXPECT_TRUE(Cache().entry_path(job_, version_).starts_with(workplace_.path("home") + "/.cache/plumb/"));
+  EXPECT_TRUE(Cache().entry_path(shot_, version_).starts_with(workplace_.path("home") + "/.cache/plumb/"));
 }
 
 TEST_F(CacheOfPictures, ThePovrayProgramIsAskedForItsVersionOnce) {
@@ -481,20 +491,20 @@ TEST_F(CacheOfPictures, ThePovrayProgramIsAskedForItsVersionOnce) {
     return std::count(log.begin(), log.end(), '\n');
   };
   for (int i = 0; i < 3; ++i) {
-    EXPECT_EQ(cache_.version_of(Povray()), "3.7.0.1");
-    EXPECT_EQ(Cache(workplace_.path("cache")).version_of(Povray()), "3.7.0.1");
+    EXPECT_EQ(cache_.version_of(PovrayRenderer()), "3.7.0.1");
+    EXPECT_EQ(Cache(workplace_.path("cache")).version_of(PovrayRenderer()), "3.7.0.1");
   }
   EXPECT_EQ(times_asked(), 1);
   fake.become(script + "22'\n");
-  EXPECT_EQ(cache_.version_of(Povray()), "3.7.0.22") << "another program in its place";
+  EXPECT_EQ(cache_.version_of(PovrayRenderer()), "3.7.0.22") << "another program in its place";
   EXPECT_EQ(times_asked(), 2);
 }
 
 TEST_F(CacheOfPictures, AnEmptyVersionFileIsNotTaken) {
   const FakePovray fake("echo 'POV-Ray 3.7.0.1'\n");
-  cache_.version_of(Povray());
+  cache_.version_of(PovrayRenderer());
   for (const auto& entry : fs::directory_iterator(workplace_.path("cache"))) write_bytes(entry.path(), "");
-  EXPECT_EQ(cache_.version_of(Povray()), "3.7.0.1");
+  EXPECT_EQ(cache_.version_of(PovrayRenderer()), "3.7.0.1");
 }
 
 }  // namespace

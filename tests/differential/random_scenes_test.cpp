@@ -17,7 +17,7 @@
 namespace plumb::tests {
 namespace {
 
-using references::Renderer;
+using references::OwnTracer;
 using references::SceneResult;
 using references::Status;
 
@@ -29,7 +29,7 @@ TEST(RandomScenes, NeverCrash) {
     const ReadResult read = read_scene(write_scene(random.scene));
     ASSERT_FALSE(read.has_errors()) << "seed " << seed;
     const Camera& camera = read.scene.cameras.front();
-    EXPECT_FALSE(exporters::export_povray(read.scene, camera, 16, 12, random.options).text.empty());
+    EXPECT_FALSE(exporters::export_povray({read.scene, camera, 16, 12, random.options}).text.empty());
     RenderJob job;
     job.width = 16;
     job.height = 12;
@@ -37,7 +37,7 @@ TEST(RandomScenes, NeverCrash) {
     job.threads = 1;
     for (const auto real : {RealType::float64, RealType::float32}) {
       job.real = real;
-      for (const Renderer renderer : {Renderer::textbook, Renderer::engine}) {
+      for (const OwnTracer renderer : {OwnTracer::textbook, OwnTracer::engine}) {
         const Image image = references::render(renderer, read.scene, camera, job);
         EXPECT_TRUE(std::all_of(image.rgb.begin(), image.rgb.end(), [](float c) { return std::isfinite(c); }))
             << "seed " << seed;

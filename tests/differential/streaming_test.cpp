@@ -14,7 +14,7 @@
 namespace plumb::tests {
 namespace {
 
-using references::Renderer;
+using references::OwnTracer;
 using references::Streaming;
 
 constexpr std::int64_t never = std::numeric_limits<std::int64_t>::max();
@@ -101,7 +101,7 @@ TEST(Streaming, AFileIsTheSameStreamedAndWhole) {
   RenderJob job = job_of(random);
   double last = 0;
   job.progress = [&](double done) { last = done; };
-  for (const Renderer renderer : {Renderer::engine, Renderer::textbook}) {
+  for (const OwnTracer renderer : {OwnTracer::engine, OwnTracer::textbook}) {
     for (const auto& [name, encoding] :
          {std::pair("a.pfm", Encoding::linear), std::pair("a.exr", Encoding::linear),
           std::pair("a.png", Encoding::linear), std::pair("a.png", Encoding::srgb),
@@ -130,7 +130,7 @@ bool is_of_one_colour(const std::string& background, const Streaming& streaming)
   RenderJob job;
   job.width = 32;
   job.height = 32;
-  return render_to_file(Renderer::engine, scene, scene.cameras.front(), job, workplace.path("a.pfm"),
+  return render_to_file(OwnTracer::engine, scene, scene.cameras.front(), job, workplace.path("a.pfm"),
                         Encoding::linear, nullptr, streaming)
       .is_of_one_colour;
 }

@@ -107,7 +107,7 @@ TEST_F(Ties, PovrayTakesTheSameSurfaceAndConfirmsItsColour) {
 bool is_decided(const std::string& shapes) {
   const ReadResult read = read_scene(with_materials(shapes, "red", "blue"));
   const Camera& camera = read.scene.cameras.front();
-  return exporters::export_povray(read.scene, camera, 48, 36, {}).needs_flat_objects;
+  return exporters::export_povray({read.scene, camera, 48, 36}).needs_flat_objects;
 }
 
 /// Such scenes keep their bounding boxes and their hierarchy.

@@ -9,7 +9,6 @@
 #include <optional>
 #include <stdexcept>
 
-#include "exporters/povray.hpp"
 #include "references/renderers/cache.hpp"
 #include "references/renderers/povray.hpp"
 #include "tests/support/end_to_end.hpp"
@@ -157,7 +156,7 @@ TEST_F(Verify, NoSceneAtAllIsNoTrouble) {
 TEST_F(Verify, SizeAndCameraMayBeOthersThanTheScenes) {
   const std::string scene = file("a.sdf", ball);
   VerifyOptions options;
-  options.size = references::Size{20, 30};
+  options.size = Size{20, 30};
   options.camera = "other";
   const VerifyReport report = references::verify({scene}, options, {});
   EXPECT_EQ(report.exit_code(), 0) << report.scenes[0].message;
@@ -178,7 +177,7 @@ TEST_F(Verify, WarningsOfPovrayReachTheMessage) {
 
 TEST_F(Verify, ATimeLimitThatIsTooShortIsAnErrorOfThatScene) {
   VerifyOptions options;
-  options.time_limit_seconds = 0.05;
+  options.reference.time_limit_seconds = 0.05;
   const VerifyReport report = references::verify({file("a.sdf", ball)}, options, {});
   EXPECT_EQ(report.exit_code(), 2);
   EXPECT_TRUE(contains(report.scenes[0].message, "longer than")) << report.scenes[0].message;
@@ -196,7 +195,7 @@ TEST_F(Verify, WithoutPovrayStoredImagesAreUsedAndThatIsSaid) {
 TEST_F(Verify, StoredImagesStartNoPovrayAndThatIsSaid) {
   const Variable none_stored("PLUMB_REFERENCES", path("none"));
   VerifyOptions options;
-  options.stored = true;
+  options.reference.stored = true;
   const VerifyReport report = references::verify({file("a.sdf", ball)}, options, {});
   EXPECT_TRUE(contains(report.notice, "--stored")) << report.notice;
   EXPECT_EQ(report.exit_code(), 2);
@@ -207,9 +206,8 @@ TEST_F(Verify, StoredImagesStartNoPovrayAndThatIsSaid) {
 struct Loaded {
   explicit Loaded(const std::string& file) : scene(load_scene(file, {})) {}
   const Camera& camera() const { return scene.cameras.front(); }
-  references::PovrayJob job() const {
-    const auto exported = exporters::export_povray(scene, camera(), 48, 36, {});
-    return {exported.text, 48, 36, exported.needs_flat_objects};
+  references::ExportedShot exported() const {
+    return references::PovrayRenderer().exported({scene, camera(), 48, 36});
   }
   Image render() const {
     textbook::RenderJob job;
@@ -229,13 +227,13 @@ struct Loaded {
 TEST_F(Verify, AWrongPixelMakesItDifferAndIsTold) {
   const std::string scene = file("a.sdf", ball);
   const Loaded loaded(scene);
-  const references::Povray povray;
+  const references::PovrayRenderer povray;
   const references::Cache cache;
   // A doctored reference in the cache: our picture, but for one pixel in the middle of the ball.
-  references::PovrayPicture doctored;
+  references::Rendered doctored;
   doctored.image = loaded.render();
   doctored.image.pixel(25, 16)[1] += 0.01F;
-  cache.store(loaded.job(), cache.version_of(povray), doctored);
+  cache.store(loaded.exported(), cache.version_of(povray), doctored);
   const VerifyReport report = references::verify({scene, file("b.sdf", block)}, {}, {});
   EXPECT_EQ(statuses(report), (std::vector{Status::differ, Status::agree}));
   EXPECT_EQ(report.exit_code(), 1);
@@ -254,10 +252,10 @@ TEST_F(Verify, APixelThatIsNotFiniteNeverAgrees) {
   const std::string scene = file("a.sdf", ball);
   const Loaded loaded(scene);
   const references::Cache cache;
-  references::PovrayPicture doctored;
+  references::Rendered doctored;
   doctored.image = loaded.render();
   doctored.image.pixel(3, 3)[0] = std::numeric_limits<float>::quiet_NaN();
-  cache.store(loaded.job(), cache.version_of(references::Povray()), doctored);
+  cache.store(loaded.exported(), cache.version_of(references::PovrayRenderer()), doctored);
   const VerifyReport report = references::verify({scene}, {}, {});
   EXPECT_EQ(report.exit_code(), 1);
   EXPECT_TRUE(contains(report.scenes[0].message, "1 pixels are not finite")) << report.scenes[0].message;
@@ -279,14 +277,14 @@ TEST_F(Verify, TiesAreCountedAndTheirShapesNamed) {
   const std::string scene = file("a.sdf", coincident("red", "blue"));
   const Loaded loaded(scene);
   const references::Cache cache;
-  const std::string version = cache.version_of(references::Povray());
+  const std::string version = cache.version_of(references::PovrayRenderer());
   const Image ours = loaded.render();
   std::size_t ties = 0;
   for (const std::size_t nearer : {0U, 1U}) {
     // As if POV-Ray had taken the one box, and then the other, wherever both are.
-    references::PovrayPicture picture;
+    references::Rendered picture;
     picture.image = loaded.with_nearer(nearer).render();
-    cache.store(loaded.job(), version, picture);
+    cache.store(loaded.exported(), version, picture);
     const SceneResult result = references::verify({scene}, {}, {}).scenes.front();
     const std::size_t over = references::pixels_over(picture.image, ours, 1e-6).size();
     ties += over;
@@ -333,8 +331,11 @@ references::Budget budget_of(const Loaded& loaded, const Image& reference,
   Image test = reference;
   const Image ours = loaded.render();
   for (const auto& p : places) std::copy_n(ours.pixel(p.x, p.y), 3, test.pixel(p.x, p.y));
-  return references::attribute(
-      {loaded.scene, loaded.camera(), {}, reference, test, 1e-6, references::povray_resolution()});
+  return references::attribute({{loaded.scene, loaded.camera(), test.width, test.height},
+                                reference,
+                                test,
+                                1e-6,
+                                references::povray_resolution()});
 }
 
 /// How many of the places that are over are explained.
@@ -439,10 +440,29 @@ define shape sphere pea 0.3 -0.2 -3 0.25 red
 define shape box floor -9 -2 -12 9 -1 0 blue
 )";
 
+using SceneFault = void (*)(Scene&, RenderOptions&);
+
+/// Renders another scene than it is asked for.
+class WrongRenderer : public references::Renderer {
+ public:
+  explicit WrongRenderer(SceneFault fault) : Renderer({"wrong", "wrong"}), fault_(fault) {}
+
+  std::string version() const override { return {}; }
+  references::Rendered render(const Shot& shot) const override {
+    Scene wrong = shot.scene;
+    RenderJob job = job_of(shot);
+    fault_(wrong, job.options);
+    return {textbook::render(wrong, shot.camera, job)};
+  }
+
+ private:
+  SceneFault fault_;
+};
+
 TEST_F(Verify, ADifferenceIsFoundInTheTermInWhichItLives) {
   struct Case {
     const char* term;
-    void (*fault)(Scene&, RenderOptions&);
+    SceneFault fault;
   };
   static const auto weaken = [](Scene& scene, Rgbd Material::*what) {
     for (Material& m : scene.materials) m.*what *= 0.9;
@@ -457,12 +477,8 @@ TEST_F(Verify, ADifferenceIsFoundInTheTermInWhichItLives) {
         Case{"refraction", [](Scene&s, RenderOptions&) { weaken(s, &Material::transmit); }}}) {
     VerifyOptions options;
     options.terms = true;
-    options.render_ours = [&](const Scene& right, const Camera& camera, const textbook::RenderJob& job) {
-      Scene wrong = right;
-      textbook::RenderJob other = job;
-      c.fault(wrong, other.options);
-      return textbook::render(wrong, camera, other);
-    };
+    const WrongRenderer ours(c.fault);
+    options.ours = &ours;
     const SceneResult result = references::verify({scene}, options, {}).scenes.front();
     EXPECT_EQ(result.status, Status::differ) << c.term;
     EXPECT_TRUE(contains(result.message, std::string("lives in the term ") + c.term))

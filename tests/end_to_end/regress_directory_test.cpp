@@ -1,7 +1,7 @@
 // `plumb regress`: scenes in directories below, variants, what an update changes, bounds beside the images.
 #include <nlohmann/json.hpp>
 
-#include "references/gates/baselines.hpp"
+#include "references/renderers/baselines.hpp"
 #include "tests/support/end_to_end.hpp"
 
 namespace plumb::tests {

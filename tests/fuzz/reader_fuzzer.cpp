@@ -24,8 +24,7 @@ void check(std::string_view text, const plumb::Dialect& dialect) {
   if (again.has_errors() || !(again.scene == scene)) std::abort();
   constexpr std::size_t small = 200;  // exporting many is slow, not instructive
   if (scene.shapes.size() > small) return;
-  const plumb::RenderRequest& request = scene.renders.front();
-  plumb::exporters::export_povray(scene, scene.camera(request.camera), request.width, request.height, {});
+  plumb::exporters::export_povray(plumb::shot_of(scene, {}));
 }
 
 }  // namespace

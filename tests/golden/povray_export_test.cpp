@@ -26,7 +26,7 @@ Scene scene_of(const std::string& text) {
 }
 
 std::string exported(const Scene& scene, const RenderOptions& options = {}) {
-  return exporters::export_povray(scene, scene.cameras.front(), 64, 48, options).text;
+  return exporters::export_povray({scene, scene.cameras.front(), 64, 48, options}).text;
 }
 
 std::string exported(const std::string& scene, const RenderOptions& options = {}) {
@@ -45,7 +45,7 @@ std::size_t count(const std::string& text, const std::string& part) {
 /// at what changed: then the stored reference images have to be rendered again, too.
 void expect_export(const std::string& scene_text, const std::string& expected, bool needs_flat_objects) {
   const Scene scene = scene_of(scene_text);
-  const auto result = exporters::export_povray(scene, scene.cameras.front(), 64, 48, {});
+  const auto result = exporters::export_povray({scene, scene.cameras.front(), 64, 48});
   EXPECT_EQ(result.text, expected);
   EXPECT_EQ(result.needs_flat_objects, needs_flat_objects);
 }

@@ -40,7 +40,7 @@ Subject random_subject(unsigned seed) {
   return subject;
 }
 
-Image rendered(const Subject& subject, Renderer renderer = Renderer::engine,
+Image rendered(const Subject& subject, OwnTracer renderer = OwnTracer::engine,
                RealType real = RealType::float64) {
   RenderJob job = subject.job;
   job.real = real;
@@ -98,7 +98,7 @@ Diagnosis diagnosed(const Subject& subject, const ImageFile& file, std::optional
   return diagnose(subject.scene, subject.scene.cameras.front(), subject.job, file, tolerance);
 }
 
-void expect_right_in_all_formats(const Subject& subject, Renderer renderer, RealType real) {
+void expect_right_in_all_formats(const Subject& subject, OwnTracer renderer, RealType real) {
   const Image image = rendered(subject, renderer, real);
   for (const Format& format : formats()) {
     const Diagnosis found = diagnosed(subject, written(image, format));
@@ -109,9 +109,9 @@ void expect_right_in_all_formats(const Subject& subject, Renderer renderer, Real
 
 /// Each scene by another tracer: each of all scenes in all formats by all tracers takes minutes.
 TEST(RightPicture, OfRealTracersIsRightInEveryFormat) {
-  const std::pair<Renderer, RealType> tracers[] = {{Renderer::engine, RealType::float32},
-                                                   {Renderer::textbook, RealType::float32},
-                                                   {Renderer::textbook, RealType::float64}};
+  const std::pair<OwnTracer, RealType> tracers[] = {{OwnTracer::engine, RealType::float32},
+                                                    {OwnTracer::textbook, RealType::float32},
+                                                    {OwnTracer::textbook, RealType::float64}};
   std::size_t next = 0;
   const auto expect_right = [&](const Subject& subject) {
     const auto& [renderer, real] = tracers[next++ % std::size(tracers)];
@@ -221,7 +221,7 @@ TEST(RightPicture, IsAsNearBesideAJump) {
   Subject subject = scene_of(text_of("shadow.sdf"));
   subject.job = job_of(160, 120);
   const Image in_double = rendered(subject);
-  const Image in_float = rendered(subject, Renderer::engine, RealType::float32);
+  const Image in_float = rendered(subject, OwnTracer::engine, RealType::float32);
   const FloatErrors errors =
       float_errors(subject.scene, subject.scene.cameras.front(), subject.job, in_double);
   for (std::size_t i = 0; i < errors.allowed.size(); ++i) {

@@ -9,7 +9,7 @@
 #include <limits>
 #include <string>
 
-#include "references/renderers/baseline.hpp"
+#include "references/renderers/ours.hpp"
 #include "references/renderers/povray.hpp"
 #include "tests/support/run.hpp"
 #include "tracer/format/reader.hpp"
@@ -64,8 +64,12 @@ Image picture(const Scene& scene, const RenderOptions& options = {}, int pixels 
 
 Budget budget_of(const Scene& scene, const Image& reference, const Image& test,
                  references::Holds holds = references::Holds::float32) {
-  const Budget budget = references::attribute(
-      {scene, scene.cameras.front(), {}, reference, test, 1e-6, references::povray_resolution(), holds});
+  const Budget budget = references::attribute({{scene, scene.cameras.front(), test.width, test.height},
+                                               reference,
+                                               test,
+                                               1e-6,
+                                               references::povray_resolution(),
+                                               holds});
   std::size_t sum = 0;
   for (std::size_t i = 0; i < references::cause_count; ++i) sum += budget.count(static_cast<Cause>(i));
   EXPECT_EQ(sum, references::pixels_over(reference, test, 1e-6).size()) << "each pixel over has one cause";
@@ -153,14 +157,12 @@ TEST(Attribution, AVastSkyExcusesNothingSmall) {
     for (const bool is_ours : {false, true}) {
       const Image reference = picture(moved);
       const Image test = picture(scene);
-      const Budget budget = references::attribute(
-          {scene,
-           scene.cameras.front(),
-           {},
-           reference,
-           test,
-           1e-6,
-           is_ours ? references::baseline_resolution() : references::povray_resolution()});
+      const Budget budget =
+          references::attribute({{scene, scene.cameras.front(), test.width, test.height},
+                                 reference,
+                                 test,
+                                 1e-6,
+                                 is_ours ? references::own_resolution() : references::povray_resolution()});
       EXPECT_GT(budget.pixels.size(), 0U);
       EXPECT_EQ(budget.explained(), 0U) << sky;
     }
@@ -173,8 +175,11 @@ TEST(Attribution, AgainstABaselineNothingOfPovraysIsExcused) {
   shallow.depth = 1;
   const Image reference = picture(scene, shallow);
   const Image test = picture(scene);
-  const Budget budget = references::attribute(
-      {scene, scene.cameras.front(), {}, reference, test, 1e-6, references::baseline_resolution()});
+  const Budget budget = references::attribute({{scene, scene.cameras.front(), test.width, test.height},
+                                               reference,
+                                               test,
+                                               1e-6,
+                                               references::own_resolution()});
   EXPECT_GT(budget.pixels.size(), 0U);
   EXPECT_EQ(budget.explained(), 0U);
 }
@@ -235,8 +240,11 @@ define shape sphere inner 0 0 -5 2 both
   const Image reference = picture(scene);
   Image test = reference;
   for (float& v : test.rgb) v += 0.1F;
-  const Budget budget = references::attribute(
-      {scene, scene.cameras.front(), deep, reference, test, 1e-6, references::povray_resolution()});
+  const Budget budget = references::attribute({{scene, scene.cameras.front(), test.width, test.height, deep},
+                                               reference,
+                                               test,
+                                               1e-6,
+                                               references::povray_resolution()});
   EXPECT_EQ(budget.count(Cause::unexplained), static_cast<std::size_t>(side * side));
 }
 
@@ -299,8 +307,11 @@ TEST(Attribution, WhatIsLeftWhenTheWorkIsOverIsUnexamined) {
   std::get<Box>(moved.shapes[1].geometry).max.z += 1e-9;
   const Image reference = picture(moved);
   const Image test = picture(scene);
-  references::AttributionJob job{scene, scene.cameras.front(),          {}, reference, test,
-                                 1e-6,  references::povray_resolution()};
+  references::AttributionJob job{{scene, scene.cameras.front(), test.width, test.height},
+                                 reference,
+                                 test,
+                                 1e-6,
+                                 references::povray_resolution()};
   const Budget whole = references::attribute(job);
   ASSERT_EQ(whole.count(Cause::coincident), whole.pixels.size());
   EXPECT_EQ(whole.unexamined, 0U);

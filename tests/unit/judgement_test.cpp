@@ -7,7 +7,7 @@
 #include <iterator>
 #include <limits>
 
-#include "references/renderers/baseline.hpp"
+#include "references/renderers/ours.hpp"
 #include "references/renderers/povray.hpp"
 #include "tests/support/run.hpp"
 #include "tracer/engine/render.hpp"
@@ -43,8 +43,11 @@ class JudgedPictures : public testing::Test {
   }
 
   Judgement judged(const Image& reference, const Image& ours) const {
-    return judge_pixels(
-        {scene_, scene_.cameras.front(), options_, reference, ours, 1e-6, povray_resolution()});
+    return judge_pixels({{scene_, scene_.cameras.front(), ours.width, ours.height, options_},
+                         reference,
+                         ours,
+                         1e-6,
+                         povray_resolution()});
   }
 
   Scene scene_;
@@ -102,8 +105,11 @@ TEST(JudgedGlass, AnInvertedRefractionIsWrongWhereTheEyeLiesOnGlass) {
   const float value[] = {0, 0.459F,
                          0.05F};  // bent by 1/1.5 where the ray leaves: the wall in place of a mirror
   std::copy(std::begin(value), std::end(value), inverted.pixel(0, 0));
-  const Judgement judged =
-      judge_pixels({scene, scene.cameras.front(), {}, inverted, right, 1e-6, povray_resolution()});
+  const Judgement judged = judge_pixels({{scene, scene.cameras.front(), right.width, right.height},
+                                         inverted,
+                                         right,
+                                         1e-6,
+                                         povray_resolution()});
   ASSERT_EQ(judged.pixels.size(), 1U);
   EXPECT_EQ(judged.pixels[0].verdict, Verdict::reference_wrong);
 }
@@ -123,8 +129,11 @@ TEST_F(JudgedPictures, TwoValuesOnEitherSideOfTheRightOneAreUndecided) {
 }
 
 TEST_F(JudgedPictures, WhatIsNotJudgedIsCounted) {
-  const AttributionJob job{scene_, scene_.cameras.front(), options_, right_, wrong_at(3, 4),
-                           1e-6,   povray_resolution()};
+  const AttributionJob job{{scene_, scene_.cameras.front(), right_.width, right_.height, options_},
+                           right_,
+                           wrong_at(3, 4),
+                           1e-6,
+                           povray_resolution()};
   const Judgement judgement = judge_pixels(job, 0);
   EXPECT_EQ(judgement.not_judged, 1U);
   EXPECT_TRUE(judgement.ran_out);
@@ -144,8 +153,11 @@ TEST_F(JudgedPictures, TheToleranceIsRelativeAboveOne) {
     Image ours = reference;
     reference.pixel(1, 0)[0] -= 3.5e-6F;  // within 4e-6 of 4
     ours.pixel(1, 0)[0] += by;
-    return judge_pixels(
-        {bright, bright.cameras.front(), options_, reference, ours, 1e-6, povray_resolution()});
+    return judge_pixels({{bright, bright.cameras.front(), ours.width, ours.height, options_},
+                         reference,
+                         ours,
+                         1e-6,
+                         povray_resolution()});
   };
   EXPECT_EQ(verdicts(3.5e-6F).count(Verdict::undecided), 1U);
   EXPECT_EQ(verdicts(6e-6F).count(Verdict::ours_wrong), 1U);
@@ -165,9 +177,7 @@ void expect_open(const Scene& scene, int side, int x, int y) {
   Image misses = sees;
   for (int c = 0; c < 3; ++c) sees.pixel(x, y)[c] = 0.5F;
   for (const bool ours_sees : {true, false}) {
-    const Judgement judgement = judge_pixels({scene,
-                                              scene.cameras.front(),
-                                              {},
+    const Judgement judgement = judge_pixels({{scene, scene.cameras.front(), sees.width, sees.height},
                                               ours_sees ? misses : sees,
                                               ours_sees ? sees : misses,
                                               1e-6,
@@ -192,8 +202,11 @@ TEST(Judgement, WhatNoEdgeExplainsIsWrongThere) {
   const Image shape = plain(8, 8, 0.5F);
   Image brighter = shape;
   brighter.pixel(5, 3)[0] = 0.6F;
-  const Judgement judgement =
-      judge_pixels({scene, scene.cameras.front(), {}, shape, brighter, 1e-6, povray_resolution()});
+  const Judgement judgement = judge_pixels({{scene, scene.cameras.front(), shape.width, shape.height},
+                                            shape,
+                                            brighter,
+                                            1e-6,
+                                            povray_resolution()});
   ASSERT_EQ(judgement.pixels.size(), 1U);
   EXPECT_EQ(judgement.pixels[0].verdict, Verdict::ours_wrong);
 }
@@ -208,7 +221,8 @@ class OnePixelWithoutACause : public testing::Test {
   static Cause settled(const Image& reference, const Image& ours, int x,
                        const Resolution& resolution = povray_resolution()) {
     const Scene scene = glowing("define shape box front -1 -1 -6 1.75 1 -4 glow");
-    const AttributionJob job{scene, scene.cameras.front(), {}, reference, ours, 1e-6, resolution};
+    const AttributionJob job{
+        {scene, scene.cameras.front(), ours.width, ours.height}, reference, ours, 1e-6, resolution};
     Budget budget;
     budget.pixels = {{x, 8, Cause::unexplained}};
     settle_undecided(job, budget);
@@ -238,8 +252,7 @@ TEST_F(OnePixelWithoutACause, IsUnexplainedWhereTheSceneHasOneAnswerBetweenThem)
 }
 
 TEST_F(OnePixelWithoutACause, IsUnexplainedAgainstABaseline) {
-  EXPECT_EQ(settled(with(0.5F, on_edge), with(0, on_edge), on_edge, baseline_resolution()),
-            Cause::unexplained);
+  EXPECT_EQ(settled(with(0.5F, on_edge), with(0, on_edge), on_edge, own_resolution()), Cause::unexplained);
 }
 
 TEST_F(OnePixelWithoutACause, IsUnexplainedAmongMoreThanMayBeUnverified) {
@@ -248,7 +261,9 @@ TEST_F(OnePixelWithoutACause, IsUnexplainedAmongMoreThanMayBeUnverified) {
   const Image ours = with(0, on_edge);
   Budget budget;
   for (int i = 0; i < 3; ++i) budget.pixels.push_back({on_edge, 8, Cause::unexplained});
-  settle_undecided({scene, scene.cameras.front(), {}, reference, ours, 1e-6, povray_resolution()}, budget);
+  settle_undecided(
+      {{scene, scene.cameras.front(), ours.width, ours.height}, reference, ours, 1e-6, povray_resolution()},
+      budget);
   EXPECT_EQ(budget.count(Cause::unexplained), 3U) << "of 256 pixels";
 }
 

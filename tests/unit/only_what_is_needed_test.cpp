@@ -39,7 +39,7 @@ int count(const std::string& text, const char* pattern) {
 
 ExportCounts counted(const std::string& scene_text, const RenderOptions& options = {}) {
   const Scene scene = scene_of(scene_text);
-  const std::string text = exporters::export_povray(scene, scene.cameras.front(), 64, 48, options).text;
+  const std::string text = exporters::export_povray({scene, scene.cameras.front(), 64, 48, options}).text;
   return {count(text, "texture \\{ pigment"),
           count(text, "interior"),
           count(text, "no_shadow"),

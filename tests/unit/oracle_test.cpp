@@ -26,7 +26,7 @@ class Asked {
  public:
   explicit Asked(const std::string& text, int depth = 8, int pixels = side)
       : scene_(scene_of(text)),
-        oracle_(scene_, scene_.cameras.front(), pixels, pixels, {.depth = depth}, work_) {}
+        oracle_({scene_, scene_.cameras.front(), pixels, pixels, {.depth = depth}}, work_) {}
 
   Quad red(int x, int y) const { return oracle_.colour(x, y).value().x; }
   bool is_decided(int x, int y) const { return oracle_.answers(x, y).value().is_decided(1e-6); }

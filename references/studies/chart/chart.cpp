@@ -7,13 +7,13 @@
 #include <fstream>
 #include <limits>
 #include <map>
-#include <memory>
 #include <stdexcept>
 #include <thread>
 #include <utility>
 
 #include "references/comparison/comparison.hpp"
 #include "references/renderers/cache.hpp"
+#include "references/renderers/povray.hpp"
 #include "references/studies/chart/pareto.hpp"
 #include "references/studies/chart/truth.hpp"
 #include "references/system/digest.hpp"
@@ -52,37 +52,36 @@ std::string build() {
 struct Tools {
   Tools() {
     try {
-      povray = std::make_unique<Povray>();
-      povray_version = cache.version_of(*povray);
+      povray_version = cache.version_of(PovrayRenderer());
     } catch (const PovrayError&) {
-      povray.reset();  // the chart says so
+      // The chart says so.
     }
   }
+  bool has_povray() const { return !povray_version.empty(); }
   std::string directory() const { return cache.directory() + "/chart"; }
 
   Cache cache;
-  std::unique_ptr<Povray> povray;
-  std::string povray_version;
+  std::string povray_version;  // empty when there is none
   InstructionCounter counter;
 };
 
 class SceneMeasurer {
  public:
-  SceneMeasurer(const Tools& tools, const ChartView& view, const ChartOptions& options,
+  SceneMeasurer(const Tools& tools, const Shot& shot, const ChartOptions& options,
                 std::function<void(double)> progress)
-      : tools_(tools), view_(view), options_(options), progress_(std::move(progress)) {
-    const RenderOptions& o = options.render;
-    about_ = "plumb chart 1\n" + build() + "\n" + machine() + "\n" + std::to_string(view.job.width) + "x" +
-             std::to_string(view.job.height) + " camera " + view.camera.name + " depth " +
+      : tools_(tools), shot_(shot), options_(options), progress_(std::move(progress)) {
+    const RenderOptions& o = shot.options;
+    about_ = "plumb chart 1\n" + build() + "\n" + machine() + "\n" + std::to_string(shot.width) + "x" +
+             std::to_string(shot.height) + " camera " + shot.camera.name + " depth " +
              std::to_string(o.depth) + " glass " + std::to_string(static_cast<int>(o.glass_shadow)) + "\n" +
-             write_scene(view.scene);
+             write_scene(shot.scene);
   }
 
   ChartScene measure(const std::string& name) {
-    const auto ways = configurations(view_.scene, tools_.povray.get());
+    const auto ways = configurations(shot_.scene, tools_.has_povray());
     std::vector<Entry> entries;
     for (const Configuration& way : ways) entries.push_back(entry_of(way));
-    ChartScene scene{name, {}, left_out(view_.scene, tools_.povray.get())};
+    ChartScene scene{name, {}, left_out(shot_.scene, tools_.has_povray())};
     find_errors(entries, scene.left_out);
     for (int run = 0; run < options_.runs; ++run) measure_run(entries, run);
     for (const Entry& entry : entries) scene.points.push_back(point_of(entry));
@@ -104,7 +103,7 @@ class SceneMeasurer {
 
   Entry entry_of(const Configuration& way) const {
     const std::string path =
-        path_of("way " + way.id + (way.renderer == "povray" ? " " + tools_.povray_version : "")) + ".json";
+        path_of("way " + way.id + (way.is_program ? " " + tools_.povray_version : "")) + ".json";
     Entry entry{way, path, options_.fresh ? Measurement{} : load_measurement(path), false};
     entry.was_complete = is_complete(entry.measured, options_.runs);
     return entry;
@@ -119,7 +118,7 @@ class SceneMeasurer {
     if (known != truths_.end()) return known->second;
     const std::string path = path_of(which == Truth::pixel_centres ? "oracle" : "areas") + ".truth";
     const double begin = which == Truth::pixel_centres ? 0 : truths_end;
-    return truths_[which] = stored_truth(view_, which, path, options_.fresh, [&](double fraction) {
+    return truths_[which] = stored_truth(shot_, which, path, options_.fresh, [&](double fraction) {
              progress_(begin + fraction * (truths_end - begin));
            });
   }
@@ -147,7 +146,7 @@ class SceneMeasurer {
 
   std::optional<Image> picture_by(const Configuration& way, std::vector<std::string>& failed) const {
     try {
-      return way.render(view_);
+      return way.renderer->render(shot_).image;
     } catch (const std::runtime_error& error) {
       failed.push_back(way.title + ": " + error.what());
       return std::nullopt;
@@ -174,10 +173,17 @@ class SceneMeasurer {
 
   /// `start` is that of this run, once it is known.
   MeasuredRun time(const Configuration& way, std::optional<Cost>& start) const {
-    if (way.start && !start) start = cost_of([&] { way.start(view_); }, tools_.counter, 0);
-    const Cost unit = cost_of([&] { yardstick_.render(view_); }, tools_.counter, least_seconds);
-    const Cost cost = cost_of([&] { way.render(view_); }, tools_.counter, least_seconds);
-    return {way.start ? without_start(cost, *start) : cost, unit.cpu_seconds};
+    if (way.is_program && !start) start = cost_of_start(*way.renderer);
+    const Cost unit = cost_of([&] { yardstick_.renderer->render(shot_); }, tools_.counter, least_seconds);
+    const Cost cost = cost_of([&] { way.renderer->render(shot_); }, tools_.counter, least_seconds);
+    return {way.is_program ? without_start(cost, *start) : cost, unit.cpu_seconds};
+  }
+
+  /// The same work for next to no pixels.
+  Cost cost_of_start(const Renderer& renderer) const {
+    Shot tiny = shot_;
+    tiny.width = tiny.height = 2;
+    return cost_of([&] { renderer.render(tiny); }, tools_.counter, 0);
   }
 
   /// Not below a hundredth of the start: less cannot be told from its own variation.
@@ -237,7 +243,7 @@ class SceneMeasurer {
   }
 
   const Tools& tools_;
-  const ChartView& view_;
+  const Shot& shot_;
   const ChartOptions& options_;
   std::function<void(double)> progress_;
   std::string about_;
@@ -260,13 +266,8 @@ Chart measure_chart(const std::vector<std::string>& scenes, const ChartOptions& 
   Chart chart{options, {}, machine(), tools.povray_version, tools.counter.complaint()};
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     const Scene scene = load_scene(scenes[i], options.dialect, options.warn);
-    ChartView view{
-        scene, scene.camera(options.camera.empty() ? scene.renders.front().camera : options.camera), {}};
-    view.job.width = options.size.width;
-    view.job.height = options.size.height;
-    view.job.options = options.render;
-    view.job.threads = 1;
-    SceneMeasurer measurer(tools, view, options, [&](double fraction) {
+    const Shot shot = shot_of(scene, {options.size, options.camera, options.render}, scenes[i]);
+    SceneMeasurer measurer(tools, shot, options, [&](double fraction) {
       if (options.progress)
         options.progress((static_cast<double>(i) + fraction) / static_cast<double>(scenes.size()));
     });

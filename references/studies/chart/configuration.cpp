@@ -2,11 +2,10 @@
 
 #include <utility>
 
-#include "exporters/povray.hpp"
-#include "tracer/engine/render.hpp"
+#include "references/renderers/ours.hpp"
+#include "references/renderers/povray.hpp"
 #include "tracer/methods/method_sets.hpp"
 #include "tracer/scene/hierarchy.hpp"
-#include "tracer/textbook/render.hpp"
 
 namespace plumb::references {
 namespace {
@@ -19,6 +18,29 @@ const char* name_of(RealType real) {
 
 std::string words_of(RealType real) { return real == RealType::long_double ? "long double" : name_of(real); }
 
+RenderJob in_one_thread(RealType real) {
+  RenderJob how;
+  how.real = real;
+  how.threads = 1;
+  return how;
+}
+
+/// The textbook tracer with other methods.
+class MethodRenderer : public Renderer {
+ public:
+  MethodRenderer(const MethodSet& methods, RenderJob how)
+      : Renderer({"textbook", "plumb's textbook tracer"}), methods_(methods), how_(std::move(how)) {}
+
+  std::string version() const override { return PLUMB_VERSION; }
+  Rendered render(const Shot& shot) const override {
+    return {render_with_methods(methods_, shot.scene, shot.camera, job_of(shot, how_))};
+  }
+
+ private:
+  const MethodSet& methods_;
+  RenderJob how_;
+};
+
 Configuration engine_way(RealType real, bool hierarchy, int samples, Truth truth) {
   Configuration way;
   way.id = "engine-" + std::string(name_of(real));
@@ -29,19 +51,15 @@ Configuration engine_way(RealType real, bool hierarchy, int samples, Truth truth
     way.id += "-samples-" + std::to_string(samples);
     way.title += ", " + std::to_string(samples) + (samples == 1 ? " sample" : " samples");
   }
-  way.renderer = "engine";
   way.real = name_of(real);
   way.hierarchy = hierarchy;
   way.samples = samples;
   way.truth = truth;
-  way.render = [real, hierarchy, samples](const ChartView& view) {
-    RenderJob job = view.job;
-    job.real = real;
-    job.samples = samples;
-    engine::Settings settings;
-    settings.has_hierarchy = hierarchy;
-    return engine::render(view.scene, view.camera, job, nullptr, settings);
-  };
+  RenderJob how = in_one_thread(real);
+  how.samples = samples;
+  engine::Settings settings;
+  settings.has_hierarchy = hierarchy;
+  way.renderer = std::make_shared<OurRenderer>(OwnTracer::engine, how, settings);
   return way;
 }
 
@@ -54,68 +72,51 @@ Configuration textbook_way(const MethodSet& methods, RealType real) {
     way.title += ", " + std::string(methods.id);
   }
   way.work = way.id;
-  way.renderer = "textbook";
   way.real = name_of(real);
   way.methods = methods.id;
   way.hierarchy = false;
-  way.render = [&methods, real](const ChartView& view) {
-    RenderJob job = view.job;
-    job.real = real;
-    // Its formulas known to the compiler: the tracer that users run.
-    if (&methods == &method_sets().front()) return textbook::render(view.scene, view.camera, job);
-    return render_with_methods(methods, view.scene, view.camera, job);
-  };
+  // The lecture's formulas known to the compiler: the tracer that users run.
+  if (&methods == &method_sets().front())
+    way.renderer = std::make_shared<OurRenderer>(OwnTracer::textbook, in_one_thread(real));
+  else
+    way.renderer = std::make_shared<MethodRenderer>(methods, in_one_thread(real));
   return way;
 }
 
-PovrayJob povray_job(const ChartView& view, const std::vector<std::string>& arguments, Holds holds, int width,
-                     int height) {
-  const auto exported = exporters::export_povray(view.scene, view.camera, width, height, view.job.options);
-  PovrayJob job{exported.text, width, height, exported.needs_flat_objects};
-  job.more_arguments = arguments;
-  job.holds = holds;
-  return job;
-}
-
-Configuration povray_way(const Povray& povray, std::string id, std::string title, Holds holds,
-                         const std::vector<std::string>& arguments) {
+Configuration povray_way(std::string id, std::string title, Holds holds,
+                         std::vector<std::string> arguments = {}) {
   Configuration way;
   way.id = way.work = "povray-" + std::move(id);
   way.title = "POV-Ray, " + std::move(title);
-  way.renderer = "povray";
   way.real = "double";
   way.hierarchy = true;
-  way.output = to_string(holds);
-  const auto run = [&povray, holds, arguments](const ChartView& view, int width, int height) {
-    return povray.render(povray_job(view, arguments, holds, width, height)).image;
-  };
-  way.render = [run](const ChartView& view) { return run(view, view.job.width, view.job.height); };
-  way.start = [run](const ChartView& view) { run(view, 2, 2); };
+  way.renderer = std::make_shared<PovrayRenderer>(PovraySettings{holds, std::move(arguments)});
+  way.is_program = true;
   return way;
 }
 
 /// Antialiasing after POV-Ray 3.7's manual, section "Anti-Aliasing Options": +AM1 takes up to R * R more
 /// samples where neighbours differ by more than the threshold; without jitter, so that runs repeat.
-Configuration antialiased(const Povray& povray, const std::string& id, const std::string& title,
-                          const std::string& threshold, int edge) {
-  Configuration way = povray_way(povray, id, title, Holds::float32,
-                                 {"+A" + threshold, "+AM1", "+R" + std::to_string(edge), "-J"});
+Configuration antialiased(const std::string& id, const std::string& title, const std::string& threshold,
+                          int edge) {
+  Configuration way =
+      povray_way(id, title, Holds::float32, {"+A" + threshold, "+AM1", "+R" + std::to_string(edge), "-J"});
   way.samples = 1 + edge * edge;
   way.truth = Truth::pixel_areas;
   return way;
 }
 
-void add_povray(const Povray& povray, std::vector<Configuration>& ways) {
-  ways.push_back(povray_way(povray, "state", "state file", Holds::float32, {}));
+void add_povray(std::vector<Configuration>& ways) {
+  ways.push_back(povray_way("state", "state file", Holds::float32));
   // One run writes both files.
-  ways.push_back(povray_way(povray, "png16", "PNG16", Holds::bits16, {}));
+  ways.push_back(povray_way("png16", "PNG16", Holds::bits16));
   ways.back().work = "povray-state";
-  ways.push_back(povray_way(povray, "png8", "PNG8", Holds::bits8, {}));
-  ways.push_back(povray_way(povray, "samples-1", "1 sample", Holds::float32, {}));
+  ways.push_back(povray_way("png8", "PNG8", Holds::bits8));
+  ways.push_back(povray_way("samples-1", "1 sample", Holds::float32));
   ways.back().work = "povray-state";
   ways.back().truth = Truth::pixel_areas;
-  ways.push_back(antialiased(povray, "aa-default", "+A0.3 +R3", "0.3", 3));
-  ways.push_back(antialiased(povray, "aa-fine", "+A0.01 +R4", "0.01", 4));
+  ways.push_back(antialiased("aa-default", "+A0.3 +R3", "0.3", 3));
+  ways.push_back(antialiased("aa-fine", "+A0.01 +R4", "0.01", 4));
 }
 
 std::uint64_t objects_of(const Scene& scene) {
@@ -129,7 +130,7 @@ std::uint64_t objects_of(const Scene& scene) {
 
 Configuration yardstick() { return engine_way(RealType::float64, true, 1, Truth::pixel_centres); }
 
-std::vector<Configuration> configurations(const Scene& scene, const Povray* povray) {
+std::vector<Configuration> configurations(const Scene& scene, bool has_povray) {
   std::vector<Configuration> ways;
   const bool without_hierarchy = objects_of(scene) <= most_without_hierarchy;
   for (const RealType real : {RealType::float32, RealType::float64}) {
@@ -144,16 +145,16 @@ std::vector<Configuration> configurations(const Scene& scene, const Povray* povr
   for (const RealType real : {RealType::float32, RealType::float64}) {
     for (const int samples : {1, 4, 16}) ways.push_back(engine_way(real, true, samples, Truth::pixel_areas));
   }
-  if (povray != nullptr) add_povray(*povray, ways);
+  if (has_povray) add_povray(ways);
   return ways;
 }
 
-std::vector<std::string> left_out(const Scene& scene, const Povray* povray) {
+std::vector<std::string> left_out(const Scene& scene, bool has_povray) {
   std::vector<std::string> notes;
   if (objects_of(scene) > most_without_hierarchy)
     notes.push_back("the engine without a hierarchy: found " + std::to_string(objects_of(scene)) +
                     " objects, expected at most " + std::to_string(most_without_hierarchy));
-  if (povray == nullptr) notes.emplace_back("POV-Ray: it is not on PATH (apt-get install povray)");
+  if (!has_povray) notes.emplace_back("POV-Ray: it is not on PATH (apt-get install povray)");
   return notes;
 }
 

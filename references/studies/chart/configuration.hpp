@@ -1,24 +1,15 @@
 // The ways in which a chart has a picture made.
 #pragma once
 
-#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "references/renderers/povray.hpp"
-#include "tracer/image/image.hpp"
-#include "tracer/scene/render_job.hpp"
+#include "references/renderers/renderer.hpp"
 #include "tracer/scene/scene.hpp"
 
 namespace plumb::references {
-
-/// A scene as it is to be rendered.
-struct ChartView {
-  const Scene& scene;
-  const Camera& camera;
-  RenderJob job;  ///< size and options; one thread
-};
 
 /// What a picture is held against.
 enum class Truth {
@@ -31,16 +22,13 @@ struct Configuration {
   std::string id;     ///< unique, of a-z 0-9 and -
   std::string work;   ///< the same for those that do the same and are only judged otherwise: it is timed once
   std::string title;  ///< for a reader
-  std::string renderer;
   std::string real;
   std::string methods;
   std::optional<bool> hierarchy;
-  int samples = 1;     ///< of a pixel at most: POV-Ray takes more only where neighbours differ
-  std::string output;  ///< what POV-Ray's picture is read from
+  int samples = 1;  ///< of a pixel at most: POV-Ray takes more only where neighbours differ
   Truth truth = Truth::pixel_centres;
-  std::function<Image(const ChartView&)> render;
-  /// The same work for next to no pixels, whose cost is no rendering; empty for what runs in this process.
-  std::function<void(const ChartView&)> start;
+  std::shared_ptr<const Renderer> renderer;  ///< in one thread
+  bool is_program = false;                   ///< its start costs something, and is no rendering
 };
 
 /// Beyond so many objects, nothing is rendered without a hierarchy by the engine.
@@ -50,9 +38,9 @@ inline constexpr std::uint64_t most_without_hierarchy = 1000;
 Configuration yardstick();
 
 /// All ways to render this scene that make sense; POV-Ray's when there is one.
-std::vector<Configuration> configurations(const Scene& scene, const Povray* povray);
+std::vector<Configuration> configurations(const Scene& scene, bool has_povray);
 
 /// What was left out of configurations() for this scene, and why; empty when nothing.
-std::vector<std::string> left_out(const Scene& scene, const Povray* povray);
+std::vector<std::string> left_out(const Scene& scene, bool has_povray);
 
 }  // namespace plumb::references

@@ -32,24 +32,24 @@ std::optional<Image> unpack(const std::string& bytes, int width, int height) {
 
 }  // namespace
 
-Image render_truth(const ChartView& view, Truth truth, const std::function<void(double)>& progress) {
-  RenderJob job = view.job;
+Image render_truth(const Shot& shot, Truth truth, const std::function<void(double)>& progress) {
+  RenderJob job = job_of(shot);
   job.threads = 0;
   job.progress = progress;
   if (truth == Truth::pixel_centres) {
     job.real = RealType::quad;
-    return textbook::render(view.scene, view.camera, job);
+    return textbook::render(shot.scene, shot.camera, job);
   }
   job.samples = samples_of_area;
-  return engine::render(view.scene, view.camera, job);
+  return engine::render(shot.scene, shot.camera, job);
 }
 
-Image stored_truth(const ChartView& view, Truth truth, const std::string& path, bool fresh,
+Image stored_truth(const Shot& shot, Truth truth, const std::string& path, bool fresh,
                    const std::function<void(double)>& progress) {
   if (!fresh && std::filesystem::is_regular_file(path)) {
-    if (auto image = unpack(read_file(path), view.job.width, view.job.height)) return *image;
+    if (auto image = unpack(read_file(path), shot.width, shot.height)) return *image;
   }
-  Image image = render_truth(view, truth, progress);
+  Image image = render_truth(shot, truth, progress);
   write_file(path, pack(image));
   return image;
 }

@@ -14,10 +14,10 @@ inline constexpr int samples_of_area = 1024;
 
 /// Renders a truth: the textbook tracer in 113 bits for pixel centres; for areas the engine in double, whose
 /// rounding is far below what any number of samples leaves. `progress` gets the fraction that is done.
-Image render_truth(const ChartView& view, Truth truth, const std::function<void(double)>& progress);
+Image render_truth(const Shot& shot, Truth truth, const std::function<void(double)>& progress);
 
 /// The same, kept as a file at `path`; rendered anew when that is absent, damaged, or `fresh` is asked for.
-Image stored_truth(const ChartView& view, Truth truth, const std::string& path, bool fresh,
+Image stored_truth(const Shot& shot, Truth truth, const std::string& path, bool fresh,
                    const std::function<void(double)>& progress);
 
 }  // namespace plumb::references

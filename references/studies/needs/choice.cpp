@@ -74,7 +74,7 @@ Image PictureJudge::rendered(RealType real, int depth, Candidate& candidate) {
   job.real = real;
   job.options.depth = depth;
   const engine::Stopwatch watch;
-  Image image = render(Renderer::engine, scene_, camera_, job, &candidate.statistics);
+  Image image = render(OwnTracer::engine, scene_, camera_, job, &candidate.statistics);
   candidate.real = real;
   candidate.depth = depth;
   candidate.cpu_seconds = watch.elapsed().cpu;

@@ -43,9 +43,11 @@ Image by_embree(const World& world, bool unaware) {
 
 std::optional<Image> seen_by(const Row& row, const World& world) {
   const textbook::RenderJob job = job_of(world, real_of(row.real));
-  if (row.method.starts_with("povray"))
-    return row.method == "povray-blocks" ? by_povray_in_other_blocks()(world, job.width)
-                                         : by_povray(row.method == "povray-rescaled")(world, job.width);
+  if (row.method.starts_with("povray")) {
+    const auto povray = row.method == "povray-blocks" ? by_povray_in_other_blocks()
+                                                      : by_povray(row.method == "povray-rescaled");
+    return picture_of(*povray, world, job.width);
+  }
   if (row.method.starts_with("embree")) return by_embree(world, row.method == "embree-secondary");
   const MethodSet* const set = find_method_set(row.method == "start-id" ? "lecture" : row.method);
   if (set == nullptr) return std::nullopt;

@@ -8,44 +8,31 @@
 #include <semaphore>
 #include <utility>
 
-#include "exporters/povray.hpp"
 #include "references/comparison/comparison.hpp"
+#include "references/renderers/ours.hpp"
 #include "references/renderers/povray.hpp"
 #include "references/truth/oracle.hpp"
-#include "tracer/textbook/render.hpp"
 
 namespace plumb::references::stability {
 namespace {
 
 constexpr double tolerance = 1e-6;  // because agreement of pictures is that of compare()
 
-/// Null when there is none on this machine.
-const Povray* installed_povray() {
-  static const std::unique_ptr<Povray> found = [] {
-    try {
-      return std::make_unique<Povray>();
-    } catch (const PovrayError&) {
-      return std::unique_ptr<Povray>();
-    }
-  }();
-  return found.get();
-}
+/// Not too many at once, and Unavailable where there is none.
+class SweptPovray : public PovrayRenderer {
+ public:
+  explicit SweptPovray(bool rescaled, std::vector<std::string> more_arguments = {})
+      : PovrayRenderer({Holds::float32, std::move(more_arguments), 600, !rescaled}) {}
 
-Image render_by_povray(const World& world, int side, bool rescaled, std::vector<std::string> more) {
-  const Povray* const povray = installed_povray();
-  if (povray == nullptr) throw Unavailable("POV-Ray is not on PATH: apt-get install povray");
-  const auto space = rescaled ? exporters::export_space(world.scene, world.camera)
-                              : exporters::ExportSpace{1, Vec3d(0), false, false};
-  const auto exported = exporters::export_povray(world.scene, world.camera, side, side, {}, space);
-  PovrayJob job{exported.text, side, side};
-  job.without_bounding = exported.needs_flat_objects;
-  job.more_arguments = std::move(more);
-  static std::counting_semaphore<> free(16);  // of 40 MiB each, most of the time asleep
-  free.acquire();
-  const auto release = [](std::counting_semaphore<>* held) { held->release(); };
-  const std::unique_ptr<std::counting_semaphore<>, decltype(release)> held(&free, release);
-  return povray->render(job).image;
-}
+  Rendered render(const Shot& shot) const override {
+    if (povray_version().empty()) throw Unavailable("POV-Ray is not on PATH: apt-get install povray");
+    static std::counting_semaphore<> free(16);  // of 40 MiB each, most of the time asleep
+    free.acquire();
+    const auto release = [](std::counting_semaphore<>* held) { held->release(); };
+    const std::unique_ptr<std::counting_semaphore<>, decltype(release)> held(&free, release);
+    return PovrayRenderer::render(shot);
+  }
+};
 
 double relative_error(double value, double truth) {
   const double error = std::abs(value - truth) / std::max(1.0, std::abs(truth));
@@ -79,36 +66,42 @@ void count(Outcome& outcome, const Scene& scene, const float* value, double erro
 
 }  // namespace
 
-RenderWorld by_textbook(RealType real) {
-  return [real](const World& world, int side) {
-    RenderJob job;
-    job.width = job.height = side;
-    job.threads = 1;
-    job.real = real;
-    return textbook::render(world.scene, world.camera, job);
-  };
+RendererOfWorlds by_textbook(RealType real) {
+  RenderJob how;
+  how.threads = 1;
+  how.real = real;
+  return std::make_shared<OurRenderer>(OwnTracer::textbook, how);
 }
 
-RenderWorld by_povray(bool rescaled) {
-  return [rescaled](const World& world, int side) { return render_by_povray(world, side, rescaled, {}); };
-}
+RendererOfWorlds by_povray(bool rescaled) { return std::make_shared<SweptPovray>(rescaled); }
 
-RenderWorld by_povray_in_other_blocks() {
-  return [](const World& world, int side) { return render_by_povray(world, side, false, {"+BS4", "+WT1"}); };
+RendererOfWorlds by_povray_in_other_blocks() {
+  return std::make_shared<SweptPovray>(false, std::vector<std::string>{"+BS4", "+WT1"});
 }
 
 const std::string& povray_version() {
-  static const std::string version =
-      installed_povray() == nullptr ? std::string() : "POV-Ray " + installed_povray()->version();
+  static const std::string version = [] {
+    const PovrayRenderer povray;
+    try {
+      povray.program();
+    } catch (const PovrayError&) {
+      return std::string();
+    }
+    return povray.facts().title + " " + povray.version();
+  }();
   return version;
 }
 
-Probe against_oracle(const std::string& condition, RenderWorld render) {
-  return [condition, render = std::move(render)](double value, int side) {
+Image picture_of(const Renderer& renderer, const World& world, int side) {
+  return renderer.render({world.scene, world.camera, side, side}).image;
+}
+
+Probe against_oracle(const std::string& condition, RendererOfWorlds renderer) {
+  return [condition, renderer = std::move(renderer)](double value, int side) {
     const World world = world_of(condition, value).value();
-    const Image image = render(world, side);
+    const Image image = picture_of(*renderer, world, side);
     Work work(std::numeric_limits<double>::infinity());
-    const Oracle oracle(world.scene, world.camera, side, side, {}, work);
+    const Oracle oracle({world.scene, world.camera, side, side}, work);
     Outcome outcome;
     int pixels = 0;
     for (int y = 0; y < side; ++y) {
@@ -133,10 +126,10 @@ Probe against_oracle(const std::string& condition, RenderWorld render) {
   };
 }
 
-Probe against_each_other(const std::string& condition, RenderWorld render, RenderWorld other) {
-  return [condition, render = std::move(render), other = std::move(other)](double value, int side) {
+Probe against_each_other(const std::string& condition, RendererOfWorlds renderer, RendererOfWorlds other) {
+  return [condition, renderer = std::move(renderer), other = std::move(other)](double value, int side) {
     const World world = world_of(condition, value).value();
-    const Image image = render(world, side), second = other(world, side);
+    const Image image = picture_of(*renderer, world, side), second = picture_of(*other, world, side);
     Outcome outcome;
     outcome.counts = true;
     for (int y = 0; y < side; ++y) {

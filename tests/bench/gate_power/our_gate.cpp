@@ -41,8 +41,12 @@ Image with_pixels_of(const Image& right, const Image& given, const std::vector<P
 }
 
 Budget budget_of(const Subject& s, const Image& given, references::Holds holds) {
-  return references::attribute(
-      {s.scene, s.camera, s.job.options, given, s.right, tolerance, references::povray_resolution(), holds});
+  return references::attribute({{s.scene, s.camera, s.job.width, s.job.height, s.job.options},
+                                given,
+                                s.right,
+                                tolerance,
+                                references::povray_resolution(),
+                                holds});
 }
 
 /// Whether a condition holds for all pixels over the tolerance. Proving a pixel takes thousands of rays, and

@@ -17,9 +17,8 @@ int main(int argc, char** argv) {
   job.height = 30;
   const plumb::Image rendered = plumb::textbook::render(scene, scene.cameras.front(), job);
   plumb::write_image(argv[2], rendered, plumb::Encoding::linear);
-  std::ofstream(argv[3]) << plumb::exporters::export_povray(scene, scene.cameras.front(), job.width,
-                                                            job.height, plumb::RenderOptions{})
-                                .text;
+  std::ofstream(argv[3])
+      << plumb::exporters::export_povray({scene, scene.cameras.front(), job.width, job.height}).text;
   plumb::Image again(job.width, job.height);
   again.rgb = plumb::read_image(argv[2]).values;
   const auto compared = plumb::references::compare(rendered, again, 1e-6);

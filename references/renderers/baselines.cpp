@@ -1,4 +1,4 @@
-#include "references/gates/baselines.hpp"
+#include "references/renderers/baselines.hpp"
 
 #include <algorithm>
 #include <filesystem>

@@ -1,4 +1,4 @@
-#include "references/submissions/other_renderer.hpp"
+#include "references/submissions/confined.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -10,7 +10,6 @@
 #include "references/submissions/grade.hpp"
 #include "references/submissions/run_tracer.hpp"
 #include "references/system/process.hpp"
-#include "tracer/format/reader.hpp"
 #include "tracer/image/format.hpp"
 #include "tracer/image/io.hpp"
 #include "tracer/system/files.hpp"
@@ -23,12 +22,8 @@ namespace fs = std::filesystem;
 /// because a header of 20 bytes can promise any number of pixels
 constexpr std::int64_t most_pixels = std::int64_t{1} << 26;
 
-JudgedScene scene_at(const std::string& path, const Dialect& dialect) {
-  JudgedScene scene;
-  scene.name = fs::path(path).stem().string();
-  scene.text = read_file(path);
-  scene.scene = load_scene(path, dialect);
-  return scene;
+JudgedScene scene_of(const Shot& shot) {
+  return {fs::path(shot.file).stem().string(), read_file(shot.file), shot.scene};
 }
 
 /// As the render line names it, unless that leads into a directory, which is not there.
@@ -78,12 +73,13 @@ void expect_colours(const PixelRows& rows, const std::string& file) {
 }
 
 /// Values as they stand in the file.
-OtherRenderer::Picture read_picture(const std::string& file) {
+Rendered read_picture(const std::string& file) {
   ReadRequest request;
   request.most_pixels = most_pixels;
   const PixelRows rows = open_image(file, request);
   expect_colours(rows, file);
-  OtherRenderer::Picture picture{Image(rows.width, rows.height), what_was_left(rows)};
+  Rendered picture{Image(rows.width, rows.height)};
+  picture.not_read = what_was_left(rows);
   std::vector<float> row(rows.row_values());
   const auto channels = static_cast<std::size_t>(rows.channels);
   for (int y = 0; y < rows.height; ++y) {
@@ -99,48 +95,35 @@ OtherRenderer::Picture read_picture(const std::string& file) {
   return picture;
 }
 
-class ConfinedRenderer {
- public:
-  ConfinedRenderer(ConfinedCommand command, const Dialect& dialect)
-      : command_(std::move(command)), dialect_(dialect) {}
-
-  OtherRenderer::Picture picture_of(const std::string& path) const {
-    const JudgedScene scene = scene_at(path, dialect_);
-    const std::string name = image_name(scene);
-    JudgeOptions options;
-    options.command = substituted(command_.words, {{"image", std::string(sandbox_directory) + "/" + name}});
-    options.readable = command_.readable;
-    options.limits = command_.limits;
-    const TemporaryDirectory own;
-    JudgedPicture result;
-    const std::string file = picture_of_run({"the renderer", ""}, scene, options, own.path(), result);
-    if (file.empty()) fail(result);
-    try {
-      return read_picture(file);
-    } catch (const std::runtime_error& error) {
-      throw std::runtime_error("the renderer's picture: " + without_path(error.what(), file, name));
-    }
-  }
-
- private:
-  [[noreturn]] static void fail(const JudgedPicture& result) {
-    const std::string printed = first_lines(result.printed);
-    throw std::runtime_error(std::string("the renderer made no picture: ") + to_string(result.verdict) +
-                             ", " + result.message + (printed.empty() ? "" : "\nit printed: " + printed));
-  }
-
-  ConfinedCommand command_;
-  Dialect dialect_;
-};
+[[noreturn]] void fail(const JudgedPicture& result) {
+  const std::string printed = first_lines(result.printed);
+  throw std::runtime_error(std::string("the renderer made no picture: ") + to_string(result.verdict) + ", " +
+                           result.message + (printed.empty() ? "" : "\nit printed: " + printed));
+}
 
 }  // namespace
 
-OtherRenderer confined_renderer(const std::string& asked, const ConfinedCommand& command,
-                                const Dialect& dialect) {
+ConfinedRenderer::ConfinedRenderer(const std::string& asked, ConfinedCommand command)
+    : Renderer({asked, asked}), command_(std::move(command)) {
   require_sandbox();
-  return {asked, [renderer = ConfinedRenderer(command, dialect)](const std::string& path) {
-            return renderer.picture_of(path);
-          }};
+}
+
+Rendered ConfinedRenderer::render(const Shot& shot) const {
+  const JudgedScene scene = scene_of(shot);
+  const std::string name = image_name(scene);
+  JudgeOptions options;
+  options.command = substituted(command_.words, {{"image", std::string(sandbox_directory) + "/" + name}});
+  options.readable = command_.readable;
+  options.limits = command_.limits;
+  const TemporaryDirectory own;
+  JudgedPicture result;
+  const std::string file = picture_of_run({"the renderer", ""}, scene, options, own.path(), result);
+  if (file.empty()) fail(result);
+  try {
+    return read_picture(file);
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error("the renderer's picture: " + without_path(error.what(), file, name));
+  }
 }
 
 }  // namespace plumb::references

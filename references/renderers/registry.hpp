@@ -1,0 +1,29 @@
+// The renderers whose pictures are taken for right, by name.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "references/renderers/renderer.hpp"
+
+namespace plumb::references {
+
+struct ReferenceOptions {
+  std::string name{};               ///< of the renderer; empty: the first of the list
+  bool stored = false;              ///< its stored images are used, and no program is started
+  double time_limit_seconds = 600;  ///< for one run of the program
+};
+
+/// Without cache and stored images. Throws std::invalid_argument when there is no renderer of that name.
+std::unique_ptr<const ProgramRenderer> program_renderer(const ReferenceOptions& options);
+
+struct Reference {
+  std::unique_ptr<const Renderer> renderer;
+  std::string notice;  ///< to be said loudly when stored images are used; else empty
+};
+
+/// Renders through the cache; from the stored images when they are asked for, or when the program is absent.
+/// Throws std::invalid_argument as above, and std::runtime_error when the program does not tell its version.
+Reference reference_renderer(const ReferenceOptions& options);
+
+}  // namespace plumb::references

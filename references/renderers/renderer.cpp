@@ -1,0 +1,11 @@
+#include "references/renderers/renderer.hpp"
+
+namespace plumb::references {
+
+std::string ExportedShot::command() const {
+  std::string command = renderer;
+  for (const std::string& argument : arguments) command += " " + argument;
+  return command;
+}
+
+}  // namespace plumb::references

@@ -1,0 +1,83 @@
+// What makes a picture of a shot.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "references/renderers/holds.hpp"
+#include "references/renderers/resolution.hpp"
+#include "tracer/image/image.hpp"
+#include "tracer/scene/shot.hpp"
+
+namespace plumb::references {
+
+/// A picture, and how it was made.
+struct Rendered {
+  Image image;                   ///< linear
+  Holds holds = Holds::float32;  ///< less than the renderer's where its best file could not be used
+  std::string warnings{};        ///< of the renderer, a line each; empty when there are none
+  std::string not_read{};        ///< what else its file holds; empty when that is all
+  double cpu_seconds = 0;        ///< of a program that ran now
+  bool cached = false;           ///< or stored: it was not rendered now
+  bool stored = false;
+};
+
+struct RendererFacts {
+  std::string name;   ///< as it stands in JSON, e.g. "povray"
+  std::string title;  ///< for readers, e.g. "POV-Ray"
+  Holds holds = Holds::float32;
+  /// Nothing where it is not known: then no difference is explained.
+  std::optional<Resolution> resolution{};
+};
+
+class Renderer {
+ public:
+  explicit Renderer(RendererFacts facts) : facts_(std::move(facts)) {}
+  Renderer(const Renderer&) = delete;
+  Renderer& operator=(const Renderer&) = delete;
+  virtual ~Renderer() = default;
+
+  const RendererFacts& facts() const { return facts_; }
+
+  /// Empty when it does not tell. Throws std::runtime_error when it cannot be asked.
+  virtual std::string version() const = 0;
+
+  /// Of the shot's size; what was kept from before may have another one. May be called from several threads.
+  /// Throws std::runtime_error.
+  virtual Rendered render(const Shot& shot) const = 0;
+
+  /// What should be said at the end, e.g. that pictures could not be kept; else empty.
+  virtual std::string complaint() const { return {}; }
+
+ private:
+  RendererFacts facts_;
+};
+
+/// What a program is asked: all that determines its picture but for its version.
+struct ExportedShot {
+  std::string renderer;                ///< its name, which is that of the command, too
+  std::vector<std::string> arguments;  ///< of its command line
+  std::string text;                    ///< the exported scene
+  int width;
+  int height;
+  Holds holds = Holds::float32;  ///< what is read of its files
+
+  /// E.g. "povray +Iin.pov +Oout.png".
+  std::string command() const;
+};
+
+/// Another program, which renders scenes in a language of its own.
+class ProgramRenderer : public Renderer {
+ public:
+  using Renderer::Renderer;
+
+  /// Its path. Throws std::runtime_error when there is none on this machine, saying how to get it.
+  virtual std::string program() const = 0;
+
+  /// Starts nothing, and needs no program.
+  virtual ExportedShot exported(const Shot& shot) const = 0;
+};
+
+}  // namespace plumb::references
