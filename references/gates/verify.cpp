@@ -7,10 +7,9 @@
 #include <exception>
 #include <memory>
 #include <mutex>
-#include <thread>
 
-#include "references/system/in_parallel.hpp"
 #include "tracer/format/reader.hpp"
+#include "tracer/system/in_parallel.hpp"
 
 namespace plumb::references {
 namespace {
@@ -241,7 +240,7 @@ VerifyReport verify(const std::vector<std::string>& scenes, const VerifyOptions&
   if (!report.notice.empty() && options.on_notice) options.on_notice(report.notice);
   for (const std::string& scene : scenes) report.scenes.emplace_back().scene = scene;
 
-  const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  const int cores = processors();
   const int wanted = options.jobs > 0 ? options.jobs : cores * runs_per_core;
   const int jobs = std::clamp(wanted, 1, static_cast<int>(std::max<std::size_t>(1, scenes.size())));
   const int threads = jobs >= cores ? 1 : cores;

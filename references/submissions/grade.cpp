@@ -18,10 +18,10 @@
 #include "references/submissions/result_keys.hpp"
 #include "references/submissions/run_tracer.hpp"
 #include "references/submissions/shown_text.hpp"
-#include "references/system/in_parallel.hpp"
 #include "references/system/process.hpp"
 #include "references/teaching/pages.hpp"
 #include "tracer/image/io.hpp"
+#include "tracer/system/in_parallel.hpp"
 
 namespace plumb::references {
 namespace {

@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <atomic>
 #include <random>
-#include <thread>
 
 #include "references/submissions/varied_text.hpp"
-#include "references/system/in_parallel.hpp"
 #include "references/teaching/matrix.hpp"
 #include "tracer/format/reader.hpp"
+#include "tracer/system/in_parallel.hpp"
 
 namespace plumb::references {
 namespace {
@@ -28,20 +27,18 @@ class Shown {
   }
   std::vector<char> faults() const {
     std::vector<char> shown(fault_catalogue().size());
-    in_parallel(shown.size(), threads(), [&](std::size_t i) { shown[i] = shows(i) ? 1 : 0; });
+    in_parallel(shown.size(), processors(), [&](std::size_t i) { shown[i] = shows(i) ? 1 : 0; });
     return shown;
   }
   bool shows_just(const std::vector<char>& expected) const {
     std::atomic<bool> differs{false};
-    in_parallel(expected.size(), threads(), [&](std::size_t i) {
+    in_parallel(expected.size(), processors(), [&](std::size_t i) {
       if (!differs && shows(i) != (expected[i] != 0)) differs = true;
     });
     return !differs;
   }
 
  private:
-  static int threads() { return static_cast<int>(std::thread::hardware_concurrency()); }
-
   teaching::Lesson lesson_;
   teaching::Handed right_;
 };

@@ -5,11 +5,10 @@
 #include <cstdlib>
 #include <filesystem>
 #include <stdexcept>
-#include <thread>
 
-#include "references/system/in_parallel.hpp"
 #include "tracer/format/reader.hpp"
 #include "tracer/image/encode.hpp"
+#include "tracer/system/in_parallel.hpp"
 
 namespace plumb::references::teaching {
 namespace {
@@ -34,8 +33,7 @@ std::size_t pixels_apart(const Handed& a, const Handed& b, std::size_t most) {
 /// The right picture, then one for each fault.
 std::vector<Handed> pictures_of(const Lesson& lesson) {
   std::vector<Handed> pictures(fault_catalogue().size() + 1);
-  const auto processors = static_cast<int>(std::thread::hardware_concurrency());
-  in_parallel(pictures.size(), processors, [&](std::size_t i) {
+  in_parallel(pictures.size(), processors(), [&](std::size_t i) {
     pictures[i] = i == 0 ? handed(lesson, {}) : handed(lesson, {&fault_catalogue()[i - 1]});
   });
   return pictures;

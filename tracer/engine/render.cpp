@@ -9,12 +9,12 @@
 
 #include <algorithm>
 #include <mutex>
-#include <thread>
 #include <utility>
 
 #include "tracer/engine/compile.hpp"
 #include "tracer/engine/kernels.hpp"
 #include "tracer/formulas/camera.hpp"
+#include "tracer/system/in_parallel.hpp"
 
 namespace plumb::engine {
 namespace {
@@ -147,7 +147,7 @@ template <class Real>
 void render_in(const Scene& scene, const Camera& camera, const RenderJob& job, const BandSink& sink,
                Statistics* statistics, const Settings& settings) {
   Statistics counts;
-  const int available = static_cast<int>(std::thread::hardware_concurrency());
+  const int available = processors();
   const int threads = job.threads > 0 ? job.threads : available;
   const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(std::max(threads, available)));

@@ -1,17 +1,14 @@
 #include "tracer/textbook/rows.hpp"
 
 #include <algorithm>
-#include <atomic>
-#include <exception>
 #include <mutex>
-#include <thread>
-#include <vector>
+
+#include "tracer/system/in_parallel.hpp"
 
 namespace plumb::textbook {
 
 int threads_for(const RenderJob& job) {
-  const int available = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  return std::clamp(job.threads > 0 ? job.threads : available, 1, job.height);
+  return std::clamp(job.threads > 0 ? job.threads : processors(), 1, job.height);
 }
 
 std::function<void(double)> progress_of_band(const RenderJob& job, int first_row, int rows) {
@@ -22,29 +19,14 @@ std::function<void(double)> progress_of_band(const RenderJob& job, int first_row
 
 void for_each_row(int height, int threads, const std::function<void(double)>& progress,
                   const std::function<void(int)>& row) {
-  std::atomic<int> next{0};
   std::mutex mutex;
-  std::exception_ptr failure;
   int done = 0;
-  const auto work = [&] {
-    try {
-      for (int y = next++; y < height; y = next++) {
-        row(y);
-        const std::lock_guard lock(mutex);
-        ++done;
-        if (progress) progress(static_cast<double>(done) / height);
-      }
-    } catch (...) {
-      next = height;
-      const std::lock_guard lock(mutex);
-      if (!failure) failure = std::current_exception();
-    }
-  };
-  std::vector<std::jthread> helpers;
-  for (int i = 1; i < threads; ++i) helpers.emplace_back(work);
-  work();
-  helpers.clear();
-  if (failure) std::rethrow_exception(failure);
+  in_parallel(static_cast<std::size_t>(height), threads, [&](std::size_t y) {
+    row(static_cast<int>(y));
+    if (!progress) return;
+    const std::lock_guard lock(mutex);
+    progress(static_cast<double>(++done) / height);
+  });
 }
 
 }  // namespace plumb::textbook

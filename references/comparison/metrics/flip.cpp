@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <thread>
 
 #include "references/comparison/metrics/flip_kernels.hpp"
+#include "tracer/system/in_parallel.hpp"
 
 namespace plumb::references {
 namespace {
@@ -38,14 +38,11 @@ double median(std::vector<float>& values) {
 
 void raise_errors_of(const flip_kernels::Opponent& reference, const flip_kernels::Opponent& test,
                      float* errors) {
-  const std::size_t bands = std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, reference.height);
-  std::vector<std::jthread> threads;
-  for (std::size_t i = 0; i < bands; ++i) {
-    threads.emplace_back([&, i] {
-      flip_kernels::raise_errors(reference, test, i * reference.height / bands,
-                                 (i + 1) * reference.height / bands, errors);
-    });
-  }
+  const std::size_t bands = std::min(static_cast<std::size_t>(processors()), reference.height);
+  in_parallel(bands, processors(), [&](std::size_t i) {
+    flip_kernels::raise_errors(reference, test, i * reference.height / bands,
+                               (i + 1) * reference.height / bands, errors);
+  });
 }
 
 }  // namespace

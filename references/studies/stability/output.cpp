@@ -1,12 +1,11 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <thread>
 
 #include "references/report/packing.hpp"
 #include "references/studies/stability/atlas.hpp"
 #include "references/studies/stability/pictures.hpp"
-#include "references/system/in_parallel.hpp"
+#include "tracer/system/in_parallel.hpp"
 
 namespace plumb::references::stability {
 namespace {
@@ -115,7 +114,7 @@ std::vector<std::vector<std::optional<FailurePicture>>> pictures_of(
     for (std::size_t row = 0; row < condition.rows.size(); ++row) places.emplace_back(pictures.size(), row);
     pictures.emplace_back(condition.rows.size());
   }
-  in_parallel(places.size(), 4 * static_cast<int>(std::thread::hardware_concurrency()), [&](std::size_t i) {
+  in_parallel(places.size(), 4 * processors(), [&](std::size_t i) {
     const auto [condition, row] = places[i];
     pictures[condition][row] = failure_picture(conditions[condition], conditions[condition].rows[row]);
   });

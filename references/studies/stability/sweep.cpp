@@ -5,12 +5,11 @@
 #include <map>
 #include <mutex>
 #include <stdexcept>
-#include <thread>
 
 #include "references/studies/stability/atlas.hpp"
 #include "references/studies/stability/catalogue.hpp"
 #include "references/studies/stability/kept.hpp"
-#include "references/system/in_parallel.hpp"
+#include "tracer/system/in_parallel.hpp"
 
 namespace plumb::references::stability {
 namespace {
@@ -133,7 +132,7 @@ void measure(const Task& task, const Kept& kept, bool quick) {
 }
 
 /// Most of the time POV-Ray waits: more threads than the machine runs at once.
-int threads() { return 8 * static_cast<int>(std::max(1U, std::thread::hardware_concurrency())); }
+int threads() { return 8 * processors(); }
 
 }  // namespace
 

@@ -13,7 +13,7 @@
 #include "tests/bench/gate_power/rules.hpp"
 #include "tracer/format/reader.hpp"
 #include "tracer/system/files.hpp"
-#include "tracer/textbook/rows.hpp"
+#include "tracer/system/in_parallel.hpp"
 
 namespace plumb::gate_power {
 namespace {
@@ -150,13 +150,8 @@ int run(const Options& options) {
   std::vector<Experiment> experiments = fault_experiments(subjects, random);
   for (Experiment& e : benign_experiments(subjects, random)) experiments.push_back(std::move(e));
   std::vector<Verdicts> verdicts(experiments.size());
-  textbook::RenderJob all;
-  all.height = static_cast<int>(experiments.size());
-  all.threads = options.threads;
-  textbook::for_each_row(all.height, textbook::threads_for(all), {}, [&](int i) {
-    const auto index = static_cast<std::size_t>(i);
-    verdicts[index] = judge(experiments[index], subjects[experiments[index].subject]);
-  });
+  in_parallel(experiments.size(), options.threads > 0 ? options.threads : processors(),
+              [&](std::size_t i) { verdicts[i] = judge(experiments[i], subjects[experiments[i].subject]); });
   const Tally tally = count(experiments, verdicts);
   print_table(tally);
   const nlohmann::json errors =

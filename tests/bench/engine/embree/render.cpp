@@ -5,12 +5,12 @@
 #include <cmath>
 #include <memory>
 #include <stdexcept>
-#include <thread>
 #include <utility>
 #include <vector>
 
 #include "tests/bench/engine/embree/shading.hpp"
 #include "tracer/scene/dielectrics.hpp"
+#include "tracer/system/in_parallel.hpp"
 
 namespace plumb::bench {
 namespace {
@@ -153,14 +153,12 @@ Image render(const EmbreeScene& embree, const Scene& scene, const EmbreeJob& job
   Image image(job.width, job.height);
   const int across = (job.width + job.tile - 1) / job.tile, down = (job.height + job.tile - 1) / job.tile;
   std::atomic<int> next{0};
-  const auto work = [&] {
+  const auto threads = static_cast<std::size_t>(std::max(job.threads, 1));
+  in_parallel(threads, job.threads, [&](std::size_t) {
     TileRenderer renderer(embree, looks, eye, job);
     for (int tile = next++; tile < across * down; tile = next++)
       renderer.render(tile % across * job.tile, tile / across * job.tile, image);
-  };
-  std::vector<std::jthread> helpers;
-  for (int i = 1; i < job.threads; ++i) helpers.emplace_back(work);
-  work();
+  });
   return image;
 }
 

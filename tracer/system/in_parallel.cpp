@@ -1,12 +1,15 @@
-#include "references/system/in_parallel.hpp"
+#include "tracer/system/in_parallel.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <exception>
 #include <mutex>
 #include <thread>
 #include <vector>
 
-namespace plumb::references {
+namespace plumb {
+
+int processors() { return static_cast<int>(std::max(1U, std::thread::hardware_concurrency())); }
 
 void in_parallel(std::size_t count, int threads, const std::function<void(std::size_t)>& work) {
   std::atomic<std::size_t> next{0};
@@ -24,10 +27,10 @@ void in_parallel(std::size_t count, int threads, const std::function<void(std::s
     }
   };
   std::vector<std::jthread> helpers;
-  for (int i = 1; i < threads; ++i) helpers.emplace_back(take);
+  for (std::size_t i = 1; i < count && static_cast<int>(i) < threads; ++i) helpers.emplace_back(take);
   take();
   helpers.clear();
   if (failure) std::rethrow_exception(failure);
 }
 
-}  // namespace plumb::references
+}  // namespace plumb
