@@ -109,7 +109,7 @@ class Attribution {
   }
 
   void explain_by_format() {
-    Work one_picture(std::numeric_limits<double>::infinity());
+    textbook::Work one_picture(std::numeric_limits<double>::infinity());
     const PixelTracer tracer(scene_, job_, job_.shot.options, one_picture);
     for (AttributedPixel& p : budget_.pixels) {
       if (is_finite(p)) explain_by_format(p, tracer);
@@ -237,7 +237,7 @@ class Attribution {
   /// itself hides a light there.
   std::set<ShapeId> shapes_that_take_part(const std::vector<Suspect>& all) const {
     const Meetings meetings = met_by(sample_of_proven(all));
-    Work work(job_.work / 5);
+    textbook::Work work(job_.work / 5);
     std::set<ShapeId> found = shapes_that_change(
         meetings, {}, [](const Suspect& s) { return std::optional(s.unmoved); }, work);
     if (!found.empty() || meetings.empty()) return found;
@@ -251,7 +251,7 @@ class Attribution {
   template <class Unmoved>
   std::set<ShapeId> shapes_that_change(const Meetings& meetings,
                                        const textbook::FormulaTable<double>& formulas,
-                                       const Unmoved& unmoved_of, Work& work) const {
+                                       const Unmoved& unmoved_of, textbook::Work& work) const {
     std::set<ShapeId> found;
     for (const auto& [id, pixels] : meetings) {
       for (int i = 0; i < patterns_of_one && !found.contains(id) && !work.is_over(); ++i) {
@@ -331,7 +331,7 @@ class Attribution {
   const AttributionJob& job_;
   Scene scene_;
   Perturbation perturbation_;
-  mutable Work work_;
+  mutable textbook::Work work_;
   PixelTracer still_;  // nothing is moved
   mutable std::deque<std::pair<int, std::shared_ptr<const PixelTracer>>> moved_;
   Budget budget_;

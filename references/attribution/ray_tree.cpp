@@ -8,11 +8,10 @@
 namespace plumb::references {
 
 bool Recorder::ray_begins(textbook::RayKind kind, const Ray<double>& ray, int depth) const {
-  if (state_->rays == most_rays_of_pixel) {
+  if (!state_->budget.ray_begins(kind, ray, depth)) {
     current().is_cut = true;
     return false;
   }
-  ++state_->rays;
   RayNode& node = state_->open.emplace_back();
   node.kind = kind;
   node.ray = ray;
@@ -27,7 +26,8 @@ void Recorder::meets(const textbook::Hit<double>& hit, const textbook::Surface<d
   current().meeting = Meeting{hit.surface, surface.shape, hit.t, point, normal, {}};
 }
 
-void Recorder::is_lit_by(std::size_t, const textbook::LightSeen<double>& seen) const {
+void Recorder::is_lit_by(std::size_t light, const textbook::LightSeen<double>& seen) const {
+  state_->budget.is_lit_by(light, seen);
   current().meeting->lights.push_back(seen);
 }
 
@@ -43,18 +43,12 @@ void Recorder::ray_ends(const Rgbd& colour) const {
 }
 
 RayNode Recorder::take() const {
-  state_->rays = 0;
+  state_->budget.take_is_cut();
   return std::exchange(state_->finished, {});
 }
 
 bool is_cut(const RayNode& tree) {
   return tree.is_cut || std::any_of(tree.children.begin(), tree.children.end(), &is_cut);
-}
-
-std::size_t rays_of(const RayNode& tree) {
-  std::size_t rays = 1;
-  for (const RayNode& child : tree.children) rays += rays_of(child);
-  return rays;
 }
 
 std::uint64_t course_of(const RayNode& tree) {
@@ -77,8 +71,11 @@ std::uint64_t course_of(const RayNode& tree) {
   return course;
 }
 
-TreeTracer::TreeTracer(const Shot& shot)
+TreeTracer::TreeTracer(const Shot& shot) : TreeTracer(shot, unlimited_) {}
+
+TreeTracer::TreeTracer(const Shot& shot, textbook::Work& work)
     : world_(shot.scene, Formulas({})),
+      recorder_(textbook::RayBudget<double>(world_.instances(), work)),
       tracer_(world_, shot.camera, shot.width, shot.height, shot.options, recorder_) {}
 
 RayNode TreeTracer::tree_of(int x, int y) const {

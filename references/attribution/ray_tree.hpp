@@ -2,12 +2,14 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
 
 #include "tracer/scene/shot.hpp"
 #include "tracer/textbook/formula_table.hpp"
+#include "tracer/textbook/ray_budget.hpp"
 #include "tracer/textbook/tracer.hpp"
 
 namespace plumb::references {
@@ -34,14 +36,10 @@ struct RayNode {
   std::vector<RayNode> children;
 };
 
-/// No pixel is traced with more rays, in the order in which they follow each other: mirrors that transmit
-/// double them with each level of the recursion. The tree of depth 8, the lecture's, has 511 at most.
-inline constexpr std::size_t most_rays_of_pixel = 3000;
-
 /// Records what a tracer tells, and ends it where a pixel has too many rays; copies record to the same tree.
 class Recorder {
  public:
-  Recorder() : state_(std::make_shared<State>()) {}
+  explicit Recorder(const textbook::RayBudget<double>& budget) : state_(std::make_shared<State>(budget)) {}
 
   bool ray_begins(textbook::RayKind kind, const Ray<double>& ray, int depth) const;
   void is_black_at_depth_limit() const;
@@ -55,9 +53,10 @@ class Recorder {
 
  private:
   struct State {
+    explicit State(const textbook::RayBudget<double>& of_pixel) : budget(of_pixel) {}
+    textbook::RayBudget<double> budget;
     std::vector<RayNode> open;  ///< from the camera ray to the one that is being traced
     RayNode finished;
-    std::size_t rays = 0;
   };
   RayNode& current() const { return state_->open.back(); }
 
@@ -66,8 +65,6 @@ class Recorder {
 
 /// Whether rays of the tree were not traced.
 bool is_cut(const RayNode& tree);
-
-std::size_t rays_of(const RayNode& tree);
 
 /// Which surfaces are met and which lights are seen, in one number: trees that have the same differ in
 /// lengths and colours alone, and their pixels lie on no edge between them.
@@ -78,6 +75,8 @@ class TreeTracer {
  public:
   /// The scene must outlive it.
   explicit TreeTracer(const Shot& shot);
+  /// The same, charged to `work`, which must outlive it.
+  TreeTracer(const Shot& shot, textbook::Work& work);
   TreeTracer(const TreeTracer&) = delete;
   TreeTracer& operator=(const TreeTracer&) = delete;
 
@@ -86,6 +85,7 @@ class TreeTracer {
 
  private:
   using Formulas = textbook::ReplaceableFormulas<double>;
+  textbook::Work unlimited_{std::numeric_limits<double>::infinity()};
   textbook::World<double> world_;
   Recorder recorder_;
   textbook::Tracer<double, Formulas, Recorder> tracer_;

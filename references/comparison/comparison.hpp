@@ -8,6 +8,7 @@
 #include "references/comparison/limit.hpp"
 #include "references/comparison/pixel_mask.hpp"
 #include "tracer/image/image.hpp"
+#include "tracer/image/pixel_place.hpp"
 #include "tracer/image/pixel_rows.hpp"
 
 namespace plumb::references {
@@ -53,10 +54,6 @@ PixelRows rows_over(const Image& image);
 void expect_one_size(const Image& reference, const Image& test);
 
 /// Places of the pixels that are over, row by row.
-struct PixelPlace {
-  int x;
-  int y;
-};
 std::vector<PixelPlace> pixels_over(const Image& reference, const Image& test, Limit limit,
                                     const PixelMask& mask = {});
 

@@ -9,6 +9,7 @@
 
 #include "references/attribution/ray_tree.hpp"
 #include "references/renderers/ours.hpp"
+#include "tracer/textbook/sampled_pixels.hpp"
 
 namespace plumb::references {
 namespace {
@@ -89,34 +90,20 @@ FaultSet without(FaultSet set, std::size_t fault) {
   return set;
 }
 
-std::vector<PixelPlace> spread(int width, int height, std::size_t count) {
-  constexpr double g = 1.32471795724474602596;
-  std::vector<PixelPlace> places;
-  double x = 0.5;
-  double y = 0.5;
-  for (std::size_t i = 0; i < count; ++i) {
-    x += 1 / g;
-    y += 1 / (g * g);
-    x -= static_cast<int>(x);
-    y -= static_cast<int>(y);
-    places.push_back({static_cast<int>(x * width), static_cast<int>(y * height)});
-  }
-  return places;
-}
-
 Evidence::Evidence(const Scene& scene, const Camera& camera, const textbook::RenderJob& job,
                    const ImageFile& seen, std::optional<double> tolerance)
     : scene_(scene), camera_(camera), job_(job), work_(most_units_in_all) {
   SeenLevels known = seen_levels(seen);
   encodings_ = encodings_of(known.read);
   seen_ = std::move(known.values);
-  const std::vector<PixelPlace> probe = spread(job_.width, job_.height, 200);
-  Work work(0);
+  const std::vector<PixelPlace> probe = textbook::spread_pixels(job_.width, job_.height, 200);
+  textbook::Work work(0);
   colours_with(scene_, camera_, job_, {}, probe, work);
   units_of_pixel_ = work.spent() / static_cast<double>(probe.size());
-  survey_ = spread(job_.width, job_.height,
-                   static_cast<std::size_t>(std::clamp(most_units_of_survey / units_of_pixel_, 2000.0,
-                                                       static_cast<double>(pixels_of_picture()))));
+  survey_ = textbook::spread_pixels(
+      job_.width, job_.height,
+      static_cast<std::size_t>(std::clamp(most_units_of_survey / units_of_pixel_, 2000.0,
+                                          static_cast<double>(pixels_of_picture()))));
   right_ = render(OwnTracer::engine, scene_, camera_, job_);
   if (known.read.is_float && tolerance)
     errors_.allowed.assign(pixels_of_picture(), static_cast<float>(*tolerance));
@@ -179,9 +166,9 @@ Image Evidence::moved_in_float(int number) const {
 }
 
 std::vector<float> Evidence::moved_colours(int number, const FaultSet& set,
-                                           const std::vector<PixelPlace>& places, Work& work) const {
-  constexpr double units_of_shape = 50;  // to make a world of it
-  work.spend(units_of_shape * static_cast<double>(scene_.shapes.size()));
+                                           const std::vector<PixelPlace>& places,
+                                           textbook::Work& work) const {
+  work.spend(textbook::units_of_world<double>(scene_));
   try {
     return colours_with(moves().moved(number), camera_, job_, faults_of(set), places, work);
   } catch (const std::runtime_error&) {
@@ -191,14 +178,12 @@ std::vector<float> Evidence::moved_colours(int number, const FaultSet& set,
 
 std::vector<std::optional<std::uint64_t>> Evidence::moved_courses(int number,
                                                                   const std::vector<PixelPlace>& places,
-                                                                  Work& work) const {
+                                                                  textbook::Work& work) const {
   const Scene moved = moves().moved(number);
-  const TreeTracer tracer({moved, camera_, job_.width, job_.height, job_.options});
-  const double units_of_ray = cost_of_ray(moved.shapes.size()) * static_cast<double>(1 + moved.lights.size());
+  const TreeTracer tracer({moved, camera_, job_.width, job_.height, job_.options}, work);
   std::vector<std::optional<std::uint64_t>> courses;
   for (const auto& [x, y] : places) {
     const RayNode tree = tracer.tree_of(x, y);
-    work.spend(units_of_ray * static_cast<double>(rays_of(tree)));
     courses.push_back(is_cut(tree) ? std::nullopt : std::optional(course_of(tree)));
   }
   return courses;

@@ -35,10 +35,6 @@ struct Fit {
   double association = 0;
 };
 
-/// In this order any first part of them lies evenly over the picture (Weyl's sequence by the plastic number,
-/// Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences", 2018). Some may come twice.
-std::vector<PixelPlace> spread(int width, int height, std::size_t count);
-
 class Evidence {
  public:
   /// All must outlive it. The job's size is the picture's. `tolerance` is in shares of 1: without it, colours
@@ -60,11 +56,11 @@ class Evidence {
   const Image& picture_with(const FaultSet& set) const;
   /// As colours(), of the scene as FloatMoves moves it.
   std::vector<float> moved_colours(int number, const FaultSet& set, const std::vector<PixelPlace>& places,
-                                   Work& work) const;
+                                   textbook::Work& work) const;
   /// Of the right tracer in such a scene, what its rays meet; see course_of(). Nothing where a pixel has too
   /// many.
   std::vector<std::optional<std::uint64_t>> moved_courses(int number, const std::vector<PixelPlace>& places,
-                                                          Work& work) const;
+                                                          textbook::Work& work) const;
   /// At these pixels the right picture by the textbook tracer in float32, which rounds otherwise than the
   /// engine.
   std::vector<float> textbook_in_float(const std::vector<PixelPlace>& places) const;
@@ -118,7 +114,7 @@ class Evidence {
   std::vector<float> seen_;  // in levels
   std::vector<OutputEncoding> encodings_;
   std::vector<PixelPlace> places_;
-  mutable Work work_;
+  mutable textbook::Work work_;
   double units_of_pixel_;
   std::vector<PixelPlace> survey_;
   Image right_;

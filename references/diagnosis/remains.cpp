@@ -222,7 +222,7 @@ class Proof {
   }
 
   void try_moves(std::vector<Suspect>& all, int most) const {
-    Work work(most_units);
+    textbook::Work work(most_units);
     for (int number = 0; number < most && !work.is_over(); ++number) {
       if (std::all_of(all.begin(), all.end(), [](const Suspect& s) { return s.is_proven; })) return;
       trace(number, all, work);
@@ -259,7 +259,7 @@ class Proof {
     return places;
   }
 
-  void trace(int number, std::vector<Suspect>& all, Work& work) const {
+  void trace(int number, std::vector<Suspect>& all, textbook::Work& work) const {
     const std::vector<PixelPlace> places = places_of(all);
     const std::vector<float> colours = evidence_.moved_colours(number, set_, places, work);
     const Courses courses = courses_of(number, places, work);
@@ -274,7 +274,7 @@ class Proof {
   using Courses = std::vector<std::optional<std::uint64_t>>;
 
   /// With faults there is no record of what rays meet.
-  Courses courses_of(int number, const std::vector<PixelPlace>& places, Work& work) const {
+  Courses courses_of(int number, const std::vector<PixelPlace>& places, textbook::Work& work) const {
     return set_.empty() ? evidence_.moved_courses(number, places, work) : Courses(places.size());
   }
 

@@ -5,6 +5,8 @@
 #include <optional>
 #include <set>
 
+#include "tracer/textbook/sampled_pixels.hpp"
+
 namespace plumb::references {
 namespace {
 
@@ -116,7 +118,8 @@ class Search {
   /// A few pixels for each fault that it changes in the picture of this set: highlights and shadows are
   /// small, and evenly spread pixels may miss them.
   void learn_effects(const FaultSet& beside) {
-    const std::vector<PixelPlace> places = spread(evidence_.width(), evidence_.height(), 2 * even_);
+    const std::vector<PixelPlace> places =
+        textbook::spread_pixels(evidence_.width(), evidence_.height(), 2 * even_);
     const std::vector<float> before = evidence_.colours(beside, places);
     std::vector<std::vector<std::size_t>> changed(has_effect_.size());
     for (std::size_t fault = 0; fault < has_effect_.size(); ++fault) {
@@ -140,7 +143,7 @@ class Search {
 
   /// Telling pixels, even pixels, and as many of those that the best does not explain.
   void look_again(std::vector<Fit>& beam) {
-    std::vector<PixelPlace> places = spread(evidence_.width(), evidence_.height(), even_);
+    std::vector<PixelPlace> places = textbook::spread_pixels(evidence_.width(), evidence_.height(), even_);
     evidence_.look_at(places);
     Fit best = evidence_.fit(beam.front().set, places.size());
     const std::vector<float> differences = evidence_.differences_at(best, evidence_.survey());

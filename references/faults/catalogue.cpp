@@ -34,7 +34,8 @@ void do_after(const std::vector<const Fault*>& faults, Image& image) {
   }
 }
 
-using LimitedTracer = textbook::Tracer<double, textbook::ReplaceableFormulas<double>, RayLimit>;
+using LimitedTracer =
+    textbook::Tracer<double, textbook::ReplaceableFormulas<double>, textbook::RayBudget<double>>;
 
 }  // namespace
 
@@ -51,14 +52,14 @@ const Fault* find_fault(std::string_view id) {
 
 std::vector<float> colours_with(const Scene& scene, const Camera& camera, const textbook::RenderJob& job,
                                 const std::vector<const Fault*>& faults,
-                                const std::vector<PixelPlace>& places, Work& work) {
+                                const std::vector<PixelPlace>& places, textbook::Work& work) {
   const Subject subject = subject_with(scene, camera, job, faults);
   const textbook::World<double> world(subject.scene, subject.formulas);
-  const RayLimit limit(cost_of_ray(world.instances()), work);
-  const LimitedTracer tracer(world, subject.camera, job.width, job.height, subject.job.options, limit);
+  const textbook::RayBudget<double> budget(world.instances(), work);
+  const LimitedTracer tracer(world, subject.camera, job.width, job.height, subject.job.options, budget);
   const auto trace = [&](const PixelPlace& place, float* to) {
     const Rgbd colour = tracer.raycast(place.x, place.y);
-    const bool is_cut = limit.take_is_cut();
+    const bool is_cut = budget.take_is_cut();
     for (int channel = 0; channel < 3; ++channel)
       to[channel] = is_cut ? std::numeric_limits<float>::quiet_NaN() : static_cast<float>(colour[channel]);
   };

@@ -4,11 +4,11 @@
 #include <string_view>
 #include <vector>
 
-#include "references/attribution/pixel_tracer.hpp"
 #include "references/comparison/comparison.hpp"
 #include "tracer/image/image.hpp"
 #include "tracer/scene/scene.hpp"
 #include "tracer/textbook/formula_table.hpp"
+#include "tracer/textbook/ray_budget.hpp"
 #include "tracer/textbook/render.hpp"
 
 namespace plumb::references {
@@ -51,6 +51,6 @@ Image render_with(const Scene& scene, const Camera& camera, const textbook::Rend
 /// rays is not a number. What it costs is taken from `work`.
 std::vector<float> colours_with(const Scene& scene, const Camera& camera, const textbook::RenderJob& job,
                                 const std::vector<const Fault*>& faults,
-                                const std::vector<PixelPlace>& places, Work& work);
+                                const std::vector<PixelPlace>& places, textbook::Work& work);
 
 }  // namespace plumb::references

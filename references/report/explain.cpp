@@ -263,7 +263,7 @@ class JsonWriter {
 
 std::string cut_note(const RayNode& tree) {
   if (!is_cut(tree)) return {};
-  return "the tree is cut: the pixel has more than " + std::to_string(most_rays_of_pixel) +
+  return "the tree is cut: the pixel has more than " + std::to_string(textbook::most_rays_of_pixel) +
          " rays, and the sum covers only those that were traced; choose a smaller --depth";
 }
 

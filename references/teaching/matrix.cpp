@@ -73,7 +73,7 @@ Handed handed(const Lesson& lesson, const std::vector<const Fault*>& faults) {
     for (int x = 0; x < job.width; ++x) places.push_back({x, y});
   }
   const Camera& camera = lesson.scene.camera(lesson.scene.renders.front().camera);
-  Work work(0);  // counted, never over: each pixel has its own limit, so that endless mirrors end
+  textbook::Work work(0);  // counted, never over: each pixel has its own limit, so that endless mirrors end
   Image image(job.width, job.height);
   try {
     image.rgb = colours_with(lesson.scene, camera, job, faults, places, work);

@@ -86,7 +86,7 @@ class PixelJudge {
   }
 
   const AttributionJob& job_;
-  mutable Work work_;
+  mutable textbook::Work work_;
   Oracle oracle_;
 };
 

@@ -19,11 +19,6 @@ namespace {
 /// Of a number's size: what a few correct roundings leave open.
 constexpr double last_digits = 4 * 0x1p-53;
 
-/// A unit of Work in Quad, which libgcc computes, instead of double.
-constexpr double units_of_quad = 30;
-constexpr double units_of_shading = 20;
-constexpr double units_of_shape = 50;
-
 double size_of(const Vec3d& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
 bool keeps_equals(int pattern) { return pattern >= Oracle::free_patterns; }
@@ -80,24 +75,6 @@ class Mover {
   std::mt19937 random_;
 };
 
-/// Ends a pixel that has too many rays, and counts the work.
-class QuadLimit : public textbook::NoObserver<Quad> {
- public:
-  QuadLimit(double units_of_ray, Work& work)
-      : units_of_ray_(units_of_ray), work_(&work), rays_(std::make_shared<std::size_t>(0)) {}
-
-  bool ray_begins(textbook::RayKind, const Ray<Quad>&, int) const {
-    work_->spend(units_of_ray_);
-    return ++*rays_ <= most_rays_of_pixel;
-  }
-  bool take_is_cut() const { return std::exchange(*rays_, 0) > most_rays_of_pixel; }
-
- private:
-  double units_of_ray_;
-  Work* work_;
-  std::shared_ptr<std::size_t> rays_;  // of the pixel, counted by all copies
-};
-
 /// The lecture's formulas, for a ray that each shape meets where its own last digits put it.
 struct RoundedTable : textbook::FormulaTable<Quad> {
   std::uint32_t seed = 0;
@@ -145,11 +122,6 @@ struct RoundedFormulas {
 bool eye_is_on_glass(const Scene& scene, const Camera& camera) {
   const CameraPose<double> pose = pose_of<double>(camera);
   return DielectricsAroundEye<double>(scene, pose.eye, pose.direction).is_on_surface();
-}
-
-double units_of_ray(const Scene& scene, textbook::InstanceId instances) {
-  return units_of_quad * (units_of_shading + static_cast<double>(instances)) *
-         static_cast<double>(1 + scene.lights.size());
 }
 
 }  // namespace
@@ -210,25 +182,25 @@ class Oracle::ViewBy final : public View {
   ViewBy(Scene scene, const Camera& camera, const Oracle& of, const Formulas& formulas)
       : scene_(std::move(scene)),
         world_(scene_, formulas),
-        limit_(units_of_ray(scene_, world_.instances()), of.work_),
-        tracer_(world_, camera, of.shot_.width, of.shot_.height, of.shot_.options, limit_) {
-    of.work_.spend(units_of_quad * units_of_shape * static_cast<double>(scene_.shapes.size()));
+        budget_(world_.instances(), of.work_),
+        tracer_(world_, camera, of.shot_.width, of.shot_.height, of.shot_.options, budget_) {
+    of.work_.spend(textbook::units_of_world<Quad>(scene_));
   }
 
   std::optional<Rgb<Quad>> at(int x, int y) const override {
     const Rgb<Quad> colour = tracer_.raycast(x, y);
-    if (limit_.take_is_cut()) return std::nullopt;
+    if (budget_.take_is_cut()) return std::nullopt;
     return colour;
   }
 
  private:
   Scene scene_;
   textbook::World<Quad, Formulas> world_;
-  QuadLimit limit_;
-  textbook::Tracer<Quad, Formulas, QuadLimit> tracer_;
+  textbook::RayBudget<Quad> budget_;
+  textbook::Tracer<Quad, Formulas, textbook::RayBudget<Quad>> tracer_;
 };
 
-Oracle::Oracle(const Shot& shot, Work& work)
+Oracle::Oracle(const Shot& shot, textbook::Work& work)
     : shot_(shot),
       work_(work),
       as_written_(std::make_unique<ViewBy<textbook::LectureFormulas<Quad>>>(

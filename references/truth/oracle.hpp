@@ -68,7 +68,7 @@ class Oracle {
   static constexpr int rounded_patterns = 64;  ///< after them, that also round anew at each ray and shape
 
   /// The work must outlive it, too.
-  Oracle(const Shot& shot, Work& work);
+  Oracle(const Shot& shot, textbook::Work& work);
   ~Oracle();
   Oracle(const Oracle&) = delete;
   Oracle& operator=(const Oracle&) = delete;
@@ -96,7 +96,7 @@ class Oracle {
   std::unique_ptr<View> moved_view(int pattern) const;
 
   Shot shot_;
-  Work& work_;
+  textbook::Work& work_;
   std::unique_ptr<View> as_written_;
   bool rounds_;
   mutable std::vector<std::unique_ptr<View>> moved_;  // by pattern; null until it is asked for

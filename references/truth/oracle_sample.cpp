@@ -6,7 +6,6 @@
 #include <stdexcept>
 #include <string>
 
-#include "references/attribution/ray_tree.hpp"
 #include "references/truth/figures.hpp"
 #include "tracer/formulas/quad.hpp"
 #include "tracer/textbook/rows.hpp"
@@ -15,15 +14,8 @@
 namespace plumb::references {
 namespace {
 
-/// Counts the rays of one pixel and follows no more than most_rays_of_pixel.
-struct RayCounter : textbook::NoObserver<Quad> {
-  std::size_t* rays;
-  explicit RayCounter(std::size_t& counted) : rays(&counted) {}
-  bool ray_begins(textbook::RayKind, const Ray<Quad>&, int) const { return ++*rays <= most_rays_of_pixel; }
-};
-
 using Formulas = textbook::LectureFormulas<Quad>;
-using OracleTracer = textbook::Tracer<Quad, Formulas, RayCounter>;
+using OracleTracer = textbook::Tracer<Quad, Formulas, textbook::RayBudget<Quad>>;
 
 int edge_of_grid(const RenderJob& job) {
   const int edge = static_cast<int>(std::lround(std::sqrt(job.samples)));
@@ -39,14 +31,13 @@ struct Traced {
 };
 
 /// The pixel's samples are the pixel centres of a picture that is `edge` times as large.
-Traced trace(const OracleTracer& tracer, const PixelPlace& place, int edge, std::size_t& rays, double& all) {
+Traced trace(const OracleTracer& tracer, const textbook::RayBudget<Quad>& budget, const PixelPlace& place,
+             int edge) {
   Rgb<Quad> sum(Quad(0));
   bool is_cut = false;
   for (int i = 0; i < edge * edge && !is_cut; ++i) {
-    rays = 0;
     sum += tracer.raycast(place.x * edge + i % edge, place.y * edge + i / edge);
-    is_cut = rays > most_rays_of_pixel;
-    all += static_cast<double>(rays);
+    is_cut = budget.take_is_cut();
   }
   return {Rgbd(sum / Quad(edge * edge)), is_cut};
 }
@@ -54,19 +45,17 @@ Traced trace(const OracleTracer& tracer, const PixelPlace& place, int edge, std:
 }  // namespace
 
 OracleSample ask_oracle(const Scene& scene, const Camera& camera, const RenderJob& job,
-                        const std::vector<PixelPlace>& places, double most_units) {
+                        const std::vector<PixelPlace>& places, textbook::Work& work) {
   const int edge = edge_of_grid(job);
   const textbook::World<Quad, Formulas> world(scene, {});
   std::vector<Traced> traced(places.size());
-  const LookLimit limit{most_units, units_of_ray(scene), textbook::threads_for(job), job.progress};
-  const std::size_t looked = look_at(places.size(), limit, [&](std::size_t begin, std::size_t end) {
-    std::size_t rays = 0;
-    double all = 0;
-    const OracleTracer tracer(world, camera, edge * job.width, edge * job.height, job.options,
-                              RayCounter(rays));
-    for (std::size_t i = begin; i < end; ++i) traced[i] = trace(tracer, places[i], edge, rays, all);
-    return all;
-  });
+  const textbook::Looking looking{work, textbook::threads_for(job), job.progress};
+  const auto look = [&](std::size_t begin, std::size_t end, textbook::Work& of_piece) {
+    const textbook::RayBudget<Quad> budget(world.instances(), of_piece);
+    const OracleTracer tracer(world, camera, edge * job.width, edge * job.height, job.options, budget);
+    for (std::size_t i = begin; i < end; ++i) traced[i] = trace(tracer, budget, places[i], edge);
+  };
+  const std::size_t looked = textbook::look_at(places.size(), looking, look);
   OracleSample sample;
   for (std::size_t i = 0; i < looked; ++i) {
     if (traced[i].is_cut)

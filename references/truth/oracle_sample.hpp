@@ -3,8 +3,10 @@
 
 #include <vector>
 
-#include "references/attribution/look.hpp"
 #include "tracer/image/image.hpp"
+#include "tracer/scene/render_job.hpp"
+#include "tracer/scene/scene.hpp"
+#include "tracer/textbook/sampled_pixels.hpp"
 
 namespace plumb::references {
 
@@ -18,10 +20,10 @@ struct OracleSample {
   std::size_t cut = 0;  ///< pixels with more than most_rays_of_pixel rays, which are not looked at
 };
 
-/// Traces the pixels in their order until `most_units` are spent; with n * n samples in the grid pattern the
+/// Traces the pixels in their order until the work is over; with n * n samples in the grid pattern the
 /// mean of those. Throws std::invalid_argument for samples in another pattern, and as the tracer does.
 OracleSample ask_oracle(const Scene& scene, const Camera& camera, const RenderJob& job,
-                        const std::vector<PixelPlace>& places, double most_units);
+                        const std::vector<PixelPlace>& places, textbook::Work& work);
 
 /// The pixels in which two pictures of one size differ most, the worst first.
 std::vector<PixelPlace> most_different(const Image& a, const Image& b, std::size_t most);

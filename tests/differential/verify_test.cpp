@@ -310,11 +310,11 @@ TEST_F(Verify, AGlassBoxOnAFloorAgrees) {
 }
 
 /// The places of the overlap of the two boxes, a pixel away from its edges.
-std::vector<references::PixelPlace> places_of_overlap(const Image& one, const Image& other) {
+std::vector<PixelPlace> places_of_overlap(const Image& one, const Image& other) {
   const auto differs = [&](int x, int y) {
     return !references::is_within(one.pixel(x, y), other.pixel(x, y), 1e-3);
   };
-  std::vector<references::PixelPlace> places;
+  std::vector<PixelPlace> places;
   for (int y = 1; y + 1 < one.height; ++y) {
     for (int x = 1; x + 1 < one.width; ++x) {
       if (differs(x, y) && differs(x - 1, y) && differs(x + 1, y) && differs(x, y - 1) && differs(x, y + 1)) {
@@ -327,7 +327,7 @@ std::vector<references::PixelPlace> places_of_overlap(const Image& one, const Im
 
 /// The budget of a reference against our picture, in which only the given pixels may differ.
 references::Budget budget_of(const Loaded& loaded, const Image& reference,
-                             const std::vector<references::PixelPlace>& places) {
+                             const std::vector<PixelPlace>& places) {
   Image test = reference;
   const Image ours = loaded.render();
   for (const auto& p : places) std::copy_n(ours.pixel(p.x, p.y), 3, test.pixel(p.x, p.y));
@@ -340,7 +340,7 @@ references::Budget budget_of(const Loaded& loaded, const Image& reference,
 
 /// How many of the places that are over are explained.
 std::size_t explained(const Loaded& loaded, const Image& reference,
-                      const std::vector<references::PixelPlace>& places) {
+                      const std::vector<PixelPlace>& places) {
   return budget_of(loaded, reference, places).explained();
 }
 
@@ -369,7 +369,7 @@ TEST_F(Verify, WhatIsWrongAwayFromEdgesIsNeverATie) {
     const Loaded loaded(file("a.sdf", text));
     const Image right = loaded.render();
     Image wrong = right;
-    std::vector<references::PixelPlace> places;
+    std::vector<PixelPlace> places;
     for (int y = 2; y < 36; y += 5) {
       for (int x = 2; x < 48; x += 5) places.push_back({x, y});
     }
@@ -400,7 +400,7 @@ TEST_F(Verify, NeitherFarLightsNorScalesMakeAWrongPictureATie) {
   for (const std::string& text : texts) {
     const Loaded loaded(file("a.sdf", text));
     Image wrong = loaded.render();
-    std::vector<references::PixelPlace> places;
+    std::vector<PixelPlace> places;
     for (int y = 2; y < 36; y += 5) {
       for (int x = 2; x < 48; x += 5) places.push_back({x, y});
     }

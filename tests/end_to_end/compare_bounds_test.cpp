@@ -30,7 +30,7 @@ class CompareBounds : public testing::Test {
     write_image(workplace_.path(name), image, default_encoding(name));
   }
   /// The slope with these pixels off by 0.25.
-  void off(const std::string& name, const std::vector<references::PixelPlace>& places) const {
+  void off(const std::string& name, const std::vector<PixelPlace>& places) const {
     Image image = slope();
     for (const auto& p : places) image.pixel(p.x, p.y)[1] += 0.25F;
     write(name, image);

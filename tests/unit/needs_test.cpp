@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <atomic>
 #include <filesystem>
 #include <set>
 
@@ -36,40 +35,6 @@ RenderJob job_of(int width = 40, int height = 30) {
 
 Observed observed(const Scene& scene, const RenderJob& job = job_of()) {
   return references::observe(scene, camera_of(scene), job);
-}
-
-// ---- where is looked
-
-TEST(SpreadPixels, VisitsEachPixelOnceAndTheFirstOnesEverywhere) {
-  for (const auto& [width, height] : {std::pair{1, 1}, {2, 1}, {7, 5}, {64, 48}, {160, 120}}) {
-    const references::SpreadPixels spread(width, height);
-    std::set<std::pair<int, int>> seen, cells;
-    for (std::size_t i = 0; i < spread.size(); ++i) {
-      seen.insert({spread[i].x, spread[i].y});
-      if (i < 200) cells.insert({8 * spread[i].x / width, 6 * spread[i].y / height});
-    }
-    EXPECT_EQ(seen.size(), static_cast<std::size_t>(width * height));
-    if (width >= 64) {
-      EXPECT_GE(cells.size(), 40U) << "of 48";
-    }
-  }
-}
-
-TEST(LookAt, StopsByWhatWasCountedOnAnyNumberOfThreads) {
-  const auto looked = [](int threads, double units) {
-    std::atomic<int> pixels = 0;
-    const std::size_t n = references::look_at(10000, {units, 10, threads, {}}, [&](auto begin, auto end) {
-      pixels += static_cast<int>(end - begin);
-      return 3.0 * static_cast<double>(end - begin);
-    });
-    EXPECT_EQ(n, static_cast<std::size_t>(pixels));
-    return n;
-  };
-  EXPECT_EQ(looked(1, 1e9), 10000U);
-  EXPECT_EQ(looked(1, 60000), looked(4, 60000));
-  EXPECT_GE(looked(2, 60000), 2000U);
-  EXPECT_LE(looked(2, 60000), 3000U);
-  EXPECT_EQ(looked(2, 1e-9), 1U);
 }
 
 // ---- what is observed

@@ -34,7 +34,7 @@ class Asked {
 
  private:
   Scene scene_;
-  references::Work work_{1e12};
+  textbook::Work work_{1e12};
   Oracle oracle_;
 };
 

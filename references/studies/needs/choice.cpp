@@ -4,7 +4,6 @@
 #include <cstdio>
 #include <utility>
 
-#include "references/attribution/ray_tree.hpp"
 #include "references/renderers/ours.hpp"
 
 namespace plumb::references {
@@ -12,22 +11,15 @@ namespace {
 
 /// Because 5,000 pixels find a mistake in one of 1,700 with a chance of 95 %, and those in which float and
 /// double differ are looked at anyway.
-constexpr std::size_t spread_pixels = 5000;
+constexpr std::size_t most_spread_pixels = 5000;
 constexpr std::size_t suspect_pixels = 256;
 /// For the pixels that differ and for the spread ones each: about a second of a machine of 2023.
-constexpr double most_oracle_units = 2.5e6;
+constexpr double most_oracle_units = 7.5e7;
 
 std::string formatted(const char* format, const auto&... values) {
   std::string text(static_cast<std::size_t>(std::snprintf(nullptr, 0, format, values...)), '\0');
   std::snprintf(text.data(), text.size() + 1, format, values...);
   return text;
-}
-
-std::vector<PixelPlace> spread_over(const RenderJob& job) {
-  const SpreadPixels spread(job.width, job.height);
-  std::vector<PixelPlace> places;
-  for (std::size_t i = 0; i < std::min(spread.size(), spread_pixels); ++i) places.push_back(spread[i]);
-  return places;
 }
 
 std::string named(const Candidate& c) {
@@ -64,7 +56,7 @@ PictureJudge::PictureJudge(const Scene& scene, const Camera& camera, const Rende
   in_float_ = rendered(RealType::float32, job.options.depth, float_);
   is_looked_at_.assign(pixels(), false);
   look_also_at(most_different(in_float_, in_double_, suspect_pixels));
-  look_also_at(spread_over(job));
+  look_also_at(textbook::spread_pixels(job.width, job.height, most_spread_pixels));
   float_.error = error_of(in_float_);
   double_.error = error_of(in_double_);
 }
@@ -88,7 +80,8 @@ void PictureJudge::look_also_at(const std::vector<PixelPlace>& places) {
     if (!is_looked_at_[at]) unseen.push_back(p);
     is_looked_at_[at] = true;
   }
-  OracleSample more = ask_oracle(scene_, camera_, job_, unseen, most_oracle_units);
+  textbook::Work work(most_oracle_units);
+  OracleSample more = ask_oracle(scene_, camera_, job_, unseen, work);
   oracle_.cut += more.cut;
   oracle_.pixels.insert(oracle_.pixels.end(), more.pixels.begin(), more.pixels.end());
 }
@@ -153,7 +146,7 @@ Choice choose(const Scene& scene, const Camera& camera, const RenderJob& job, do
   PictureJudge judge(scene, camera, job);
   if (judge.oracle().pixels.empty())
     throw BoundNotReached("no error could be measured: each pixel that was looked at has more than " +
-                          std::to_string(most_rays_of_pixel) +
+                          std::to_string(textbook::most_rays_of_pixel) +
                           " rays, expected fewer; choose a smaller --depth");
   Choice choice;
   choice.oracle_pixels = judge.oracle().pixels.size();

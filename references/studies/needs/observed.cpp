@@ -4,10 +4,9 @@
 #include <map>
 #include <mutex>
 
-#include "references/attribution/look.hpp"
-#include "references/attribution/ray_tree.hpp"
 #include "tracer/scene/hierarchy.hpp"
 #include "tracer/textbook/rows.hpp"
+#include "tracer/textbook/sampled_pixels.hpp"
 #include "tracer/textbook/tracer.hpp"
 
 namespace plumb::references {
@@ -31,11 +30,11 @@ struct OpenRay {
 /// What is counted for a piece of the picture.
 struct Notes {
   const Scene& scene;
+  textbook::RayBudget<double> budget;
   Media around_the_eye;
   Observed counts{};
   std::map<textbook::InstanceId, std::uint64_t> blockers{};
   std::vector<OpenRay> open{};  // from the camera ray to the one that is being traced
-  std::size_t rays_of_pixel = 0;
 };
 
 /// What a ray is inside of: through a surface it enters or leaves.
@@ -55,8 +54,8 @@ class Probe {
  public:
   explicit Probe(Notes& notes) : notes_(&notes) {}
 
-  bool ray_begins(RayKind kind, const Ray<double>&, int depth) const {
-    if (++notes_->rays_of_pixel > most_rays_of_pixel) return false;
+  bool ray_begins(RayKind kind, const Ray<double>& ray, int depth) const {
+    if (!notes_->budget.ray_begins(kind, ray, depth)) return false;
     notes_->open.push_back({kind, depth, media_of(kind, *notes_)});
     return true;
   }
@@ -73,6 +72,7 @@ class Probe {
   }
 
   void is_lit_by(std::size_t light, const textbook::LightSeen<double>& seen) const {
+    notes_->budget.is_lit_by(light, seen);
     if (!seen.counts) return;
     Observed& counts = notes_->counts;
     ++counts.shadow_rays;
@@ -118,17 +118,15 @@ Observed empty_for(const Scene& scene) {
 
 /// Traces the pixels begin..end of the order.
 Notes noted(const Scene& scene, const World& world, const Camera& camera, const RenderJob& job,
-            const SpreadPixels& order, std::size_t begin, std::size_t end, double& rays) {
-  Notes notes{scene, {}, empty_for(scene)};
+            const std::vector<PixelPlace>& order, std::size_t begin, std::size_t end, textbook::Work& work) {
+  Notes notes{scene, {world.instances(), work}, {}, empty_for(scene)};
   const DielectricsAroundEye<double> around = world.dielectrics_around(pose_of<double>(camera));
   for (const EnclosingDielectric& d : around.ahead()) notes.around_the_eye.push_back(d.instance);
   const textbook::Tracer<double, Formulas, Probe> tracer(world, camera, job.width, job.height, job.options,
                                                          Probe(notes));
   for (std::size_t i = begin; i < end; ++i) {
-    notes.rays_of_pixel = 0;
     tracer.raycast(order[i].x, order[i].y);
-    notes.counts.cut += notes.rays_of_pixel > most_rays_of_pixel;
-    rays += static_cast<double>(notes.rays_of_pixel);
+    notes.counts.cut += notes.budget.take_is_cut();
   }
   const InstanceShapes shape_of(scene);
   for (const auto& [instance, times] : notes.blockers)
@@ -160,17 +158,17 @@ void Observed::add(const Observed& o) {
 
 Observed observe(const Scene& scene, const Camera& camera, const RenderJob& job) {
   const World world(scene, {});
-  const SpreadPixels order(job.width, job.height);
+  const std::vector<PixelPlace> order = textbook::spread_pixels(job.width, job.height);
   Observed all = empty_for(scene);
   std::mutex mutex;
-  const LookLimit limit{most_units, units_of_ray(scene), textbook::threads_for(job), job.progress};
-  all.looked_at = look_at(order.size(), limit, [&](std::size_t begin, std::size_t end) {
-    double rays = 0;
-    const Notes notes = noted(scene, world, camera, job, order, begin, end, rays);
+  textbook::Work work(most_units);
+  const textbook::Looking looking{work, textbook::threads_for(job), job.progress};
+  const auto look = [&](std::size_t begin, std::size_t end, textbook::Work& of_piece) {
+    const Notes notes = noted(scene, world, camera, job, order, begin, end, of_piece);
     const std::lock_guard lock(mutex);
     all.add(notes.counts);
-    return rays;
-  });
+  };
+  all.looked_at = textbook::look_at(order.size(), looking, look);
   all.pixels = order.size();
   return all;
 }

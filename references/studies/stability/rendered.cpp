@@ -100,7 +100,7 @@ Probe against_oracle(const std::string& condition, RendererOfWorlds renderer) {
   return [condition, renderer = std::move(renderer)](double value, int side) {
     const World world = world_of(condition, value).value();
     const Image image = picture_of(*renderer, world, side);
-    Work work(std::numeric_limits<double>::infinity());
+    textbook::Work work(std::numeric_limits<double>::infinity());
     const Oracle oracle({world.scene, world.camera, side, side}, work);
     Outcome outcome;
     int pixels = 0;

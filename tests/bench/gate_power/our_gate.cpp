@@ -13,7 +13,7 @@ namespace {
 
 using references::Budget;
 using references::Cause;
-using references::PixelPlace;
+using PixelPlace;
 
 constexpr double tolerance =
     1e-6;  // what POV-Ray's float32 pixels allow; see RESULTS.md, "How agreement is judged"
