@@ -10,15 +10,6 @@ namespace {
 
 bool always_counts(double) { return true; }
 
-/// r.l of the light that is looked at: specular_factor does not know l, and follows reflected_light.
-thread_local double cos_of_light = 0;
-
-Vec3d reflected_light_noting_l(const Vec3d& n, const Vec3d& l) {
-  const Vec3d r = formulas::reflected_light(n, l);
-  cos_of_light = glm::dot(r, l);
-  return r;
-}
-
 template <auto intensity>
 void take_intensity(Subject& s) {
   s.formulas.reflected_intensity = intensity;
@@ -80,7 +71,7 @@ std::vector<Fault> of_the_highlight() {
       {"specular-not-clamped", 11, "Phong", "A negative r.v is raised to the power m as it is.", "(r.v)^m",
        "(r.v)^m when r.v > 0, else 0", "10 of 42", "phong-odd-exponent.sdf",
        [](Subject& s) {
-         s.formulas.specular_factor = [](const Vec3d& r, const Vec3d& v, double m) {
+         s.formulas.specular_factor = [](const Vec3d& r, const Vec3d& v, const Vec3d&, double m) {
            return std::pow(glm::dot(r, v), m);
          };
        },
@@ -88,7 +79,7 @@ std::vector<Fault> of_the_highlight() {
       {"specular-absolute", 11, "Phong", "A highlight also appears on the opposite side.", "|r.v|^m",
        "(r.v)^m when r.v > 0, else 0", "5 of 42", "phong-even-exponent.sdf",
        [](Subject& s) {
-         s.formulas.specular_factor = [](const Vec3d& r, const Vec3d& v, double m) {
+         s.formulas.specular_factor = [](const Vec3d& r, const Vec3d& v, const Vec3d&, double m) {
            return std::pow(std::abs(glm::dot(r, v)), m);
          };
        },
@@ -113,17 +104,17 @@ std::vector<Fault> of_the_highlight() {
       {"specular-toward-light", 13, "Phong", "r is multiplied by l instead of by v.", "(r.l)^m", "(r.v)^m",
        "1 of 42", "phong.sdf",
        [](Subject& s) {
-         s.formulas.reflected_light = &reflected_light_noting_l;
-         s.formulas.specular_factor = [](const Vec3d&, const Vec3d&, double m) {
-           return cos_of_light > 0 ? std::pow(cos_of_light, m) : 0;
+         s.formulas.specular_factor = [](const Vec3d& r, const Vec3d&, const Vec3d& l, double m) {
+           const double cosine = glm::dot(r, l);
+           return cosine > 0 ? std::pow(cosine, m) : 0;
          };
        },
        nullptr},
       {"exponent-fixed", 13, "Phong", "The exponent is a constant, whatever the material says.", "(r.v)^20",
        "(r.v)^m", "1 of 42", "phong.sdf",
        [](Subject& s) {
-         s.formulas.specular_factor = [](const Vec3d& r, const Vec3d& v, double) {
-           return formulas::specular_factor(r, v, 20.0);
+         s.formulas.specular_factor = [](const Vec3d& r, const Vec3d& v, const Vec3d& l, double) {
+           return formulas::specular_factor(r, v, l, 20.0);
          };
        },
        nullptr},
@@ -145,8 +136,8 @@ std::vector<Fault> of_the_highlight() {
       {"specular-normalisation", 15, "Phong", "The highlight has the factor of an energy-conserving model.",
        "(m + 2) / (2 pi) (r.v)^m", "(r.v)^m", "4 of 42", "phong.sdf",
        [](Subject& s) {
-         s.formulas.specular_factor = [](const Vec3d& r, const Vec3d& v, double m) {
-           return (m + 2) / (2 * std::numbers::pi) * formulas::specular_factor(r, v, m);
+         s.formulas.specular_factor = [](const Vec3d& r, const Vec3d& v, const Vec3d& l, double m) {
+           return (m + 2) / (2 * std::numbers::pi) * formulas::specular_factor(r, v, l, m);
          };
        },
        nullptr},

@@ -10,14 +10,6 @@ namespace {
 
 using Bent = std::optional<Vec3d>;
 
-/// Rays that were traced for this pixel: a counter that is never taken back.
-thread_local int rays_of_pixel = 0;
-
-bool by_shared_counter(int depth, int limit) {
-  if (depth == 0) rays_of_pixel = 0;
-  return rays_of_pixel++ >= limit;
-}
-
 Rgbd mixed(const Rgbd& local, const Rgbd& kr, const Rgbd& mirrored, const Rgbd& kt, const Rgbd& refracted) {
   return (1.0 - kr) * local + kr * mirrored + kt * refracted;
 }
@@ -86,7 +78,10 @@ std::vector<Fault> of_the_mirror() {
       {"depth-counter-shared", 34, "Spiegelung, Brechung",
        "All rays of a pixel share one counter, which is never taken back.", "++depth for every ray",
        "depth + 1 handed to each child", "not counted", "combined-everything.sdf",
-       [](Subject& s) { s.formulas.is_too_deep = &by_shared_counter; }, nullptr},
+       [](Subject& s) {
+         s.formulas.is_too_deep = [](int, int limit, int rays_before) { return rays_before >= limit; };
+       },
+       nullptr},
   };
 }
 

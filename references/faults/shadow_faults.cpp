@@ -7,20 +7,6 @@ namespace {
 using formulas::ShadowRay;
 using formulas::Toward;
 
-/// Whether a light was hidden from the point that is being lit: set and read between its ambient term and
-/// its last light, where no other point comes in between.
-thread_local bool one_was_hidden = false;
-
-Rgbd ambient_forgetting_hidden(const Rgbd& intensity, const Rgbd& ka) {
-  one_was_hidden = false;
-  return formulas::ambient_light(intensity, ka);
-}
-
-Rgbd dark_once_hidden(const Rgbd& so_far, const Rgbd& ambient, const Rgbd& light) {
-  one_was_hidden = one_was_hidden || light == Rgbd(0);
-  return one_was_hidden ? ambient : so_far + light;
-}
-
 /// A shadow ray that starts off the surface and does not know where it starts.
 ShadowRay<double> from(const Vec3d& origin, const Toward<double>& to_light) {
   return {{origin, to_light.direction}, to_light.distance, false};
@@ -81,7 +67,7 @@ std::vector<Fault> of_the_blockers() {
        "I = Ia ka when a light is hidden, then on", "I = I + 0 when a light is hidden", "1 of 42",
        "several-lights.sdf",
        [](Subject& s) {
-         s.formulas.with_light = [](const Rgbd& so_far, const Rgbd& ambient, const Rgbd& light) {
+         s.formulas.with_light = [](const Rgbd& so_far, const Rgbd& ambient, const Rgbd& light, bool) {
            return light == Rgbd(0) ? ambient : so_far + light;
          };
        },
@@ -90,8 +76,10 @@ std::vector<Fault> of_the_blockers() {
        "I = Ia ka when any light is hidden", "I = Ia ka + sum of the lights that are not hidden", "1 of 42",
        "several-lights.sdf",
        [](Subject& s) {
-         s.formulas.ambient_light = &ambient_forgetting_hidden;
-         s.formulas.with_light = &dark_once_hidden;
+         s.formulas.with_light = [](const Rgbd& so_far, const Rgbd& ambient, const Rgbd& light,
+                                    bool one_was_hidden) {
+           return one_was_hidden || light == Rgbd(0) ? ambient : so_far + light;
+         };
        },
        nullptr},
       {"no-self-shadow", 21, "Schatten", "An object is left out of its own shadow test.",

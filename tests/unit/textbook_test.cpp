@@ -697,7 +697,9 @@ const std::string shiny_ball = "define shape sphere ball 0 0 -5 1 m\n";
 
 TYPED_TEST(ReplacedFormula, WithoutSpecularFactorTheKsIsGone) {
   using Real = TypeParam;
-  this->table_.specular_factor = [](const Vec3<Real>&, const Vec3<Real>&, Real) { return Real(0); };
+  this->table_.specular_factor = [](const Vec3<Real>&, const Vec3<Real>&, const Vec3<Real>&, Real) {
+    return Real(0);
+  };
   const Scene with = read(shiny + "define material m 0.1 0.2 0.3 0.4 0.5 0.6 0.7 0.8 0.9 5\n" + shiny_ball);
   const Scene without = read(shiny + "define material m 0.1 0.2 0.3 0.4 0.5 0.6 0 0 0 5\n" + shiny_ball);
   EXPECT_EQ(picture<Real>(with, 16, 16, this->table_), picture<Real>(without, 16, 16));

@@ -70,7 +70,7 @@ Vec3<Real> reflected_light(const Vec3<Real>& n, const Vec3<Real>& l) {
 /// Slide "Phong": (r.v)^m, and 0 when r.v <= 0, or is no more than rounding can make of 0: with m = 0 that is
 /// 0 or 1.
 template <class Real>
-Real specular_factor(const Vec3<Real>& r, const Vec3<Real>& v, Real m) {
+Real specular_factor(const Vec3<Real>& r, const Vec3<Real>& v, [[maybe_unused]] const Vec3<Real>& l, Real m) {
   using std::pow;
   const Real cos_alpha = glm::dot(r, v);
   return cos_alpha > resolution<Real>() ? pow(cos_alpha, m) : Real(0);
@@ -89,10 +89,11 @@ Rgb<Real> reflected_intensity(const Rgb<Real>& intensity, const Rgb<Real>& delta
   return intensity * delta * (kd * diffuse_factor + ks * specular_factor);
 }
 
-/// Slide "Vollstaendiges Modell": the sum over all lights, begun with Ia ka; a hidden light adds 0.
+/// Slide "Vollstaendiges Modell": the sum over all lights, begun with Ia ka; a hidden light adds 0, and takes
+/// nothing from those after it.
 template <class Real>
 Rgb<Real> with_light(const Rgb<Real>& so_far, [[maybe_unused]] const Rgb<Real>& ambient,
-                     const Rgb<Real>& light) {
+                     const Rgb<Real>& light, [[maybe_unused]] bool one_was_hidden) {
   return so_far + light;
 }
 

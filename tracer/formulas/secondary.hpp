@@ -27,8 +27,9 @@ std::optional<Vec3<Real>> refracted_direction(const Vec3<Real>& d, const Vec3<Re
   return ratio * d + (ratio * cos_i - sqrt(cos_t_squared)) * n;
 }
 
-/// Decision: the recursion ends with trace(depth >= D), which is black; the first ray has depth 0.
-constexpr bool is_too_deep(int depth, int limit) { return depth >= limit; }
+/// Decision: the recursion ends with trace(depth >= D), which is black; the first ray has depth 0. How many
+/// rays of the pixel were traced before does not count.
+constexpr bool is_too_deep(int depth, int limit, [[maybe_unused]] int rays_before) { return depth >= limit; }
 
 /// Decision: total internal reflection has weight 1 and replaces the refracted and the mirrored ray.
 template <class Real>

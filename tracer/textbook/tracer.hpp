@@ -34,9 +34,10 @@ class Tracer {
   Rgb<Real> raycast(int x, int y) const {
     const Vec2<Real> on_plane = f_->image_plane_point(x, y, width_, height_);
     Ray<Real> ray = f_->world_ray(world_from_camera_, f_->camera_ray(on_plane, distance_));
-    if (!around_the_eye_.is_on_surface()) return trace(RayKind::camera, ray, {}, ahead_, 0);
+    int rays = 0;
+    if (!around_the_eye_.is_on_surface()) return trace(RayKind::camera, ray, {}, ahead_, {&rays});
     ray.t_min = around_the_eye_.t_min();
-    return trace(RayKind::camera, ray, {}, interiors_of(around_the_eye_.of_ray(ray.direction)), 0);
+    return trace(RayKind::camera, ray, {}, interiors_of(around_the_eye_.of_ray(ray.direction)), {&rays});
   }
 
  private:
@@ -47,29 +48,37 @@ class Tracer {
     return inside;
   }
 
-  /// `depth` counts the rays before this one; `unbent` the surfaces crossed without raising it.
+  /// How a ray follows from the camera's.
+  struct Path {
+    int* rays;       ///< of the pixel, that were traced before
+    int depth = 0;   ///< counts the rays from the camera's to this one
+    int unbent = 0;  ///< surfaces that were crossed without raising it
+
+    Path deeper() const { return {rays, depth + 1}; }
+  };
+
   Rgb<Real> trace(RayKind kind, const Ray<Real>& ray, SurfaceId start, const Interiors<Real>& interiors,
-                  int depth, int unbent = 0) const {
-    if (!observer_.ray_begins(kind, ray, depth)) return Rgb<Real>(0);
-    const Rgb<Real> colour = follow(ray, start, interiors, depth, unbent);
+                  const Path& path) const {
+    if (!observer_.ray_begins(kind, ray, path.depth)) return Rgb<Real>(0);
+    const Rgb<Real> colour = follow(ray, start, interiors, path);
     observer_.ray_ends(colour);
     return colour;
   }
 
-  Rgb<Real> follow(const Ray<Real>& ray, SurfaceId start, const Interiors<Real>& interiors, int depth,
-                   int unbent) const {
-    if (f_->is_too_deep(depth, options_.depth)) {
+  Rgb<Real> follow(const Ray<Real>& ray, SurfaceId start, const Interiors<Real>& interiors,
+                   const Path& path) const {
+    if (f_->is_too_deep(path.depth, options_.depth, (*path.rays)++)) {
       observer_.is_black_at_depth_limit();
       return Rgb<Real>(0);
     }
     const Ray<Real> from_place = world_.with_t_min(ray);
     const Hit<Real> hit = world_.nearest_hit(from_place, start);
     if (hit.surface.instance == no_instance) return world_.background();
-    return shade(from_place, hit, interiors, depth, unbent);
+    return shade(from_place, hit, interiors, path);
   }
 
-  Rgb<Real> shade(const Ray<Real>& ray, const Hit<Real>& hit, const Interiors<Real>& interiors, int depth,
-                  int unbent) const {
+  Rgb<Real> shade(const Ray<Real>& ray, const Hit<Real>& hit, const Interiors<Real>& interiors,
+                  const Path& path) const {
     const Surface<Real> surface = world_.surface(ray, hit);
     const Material<Real>& material = *surface.material;
     const Vec3<Real>& point = surface.point;
@@ -78,8 +87,12 @@ class Tracer {
 
     const Rgb<Real> ambient = f_->ambient_light(world_.ambient(), material.ka);
     Rgb<Real> colour = ambient;
-    for (std::size_t light = 0; light < world_.lights().size(); ++light)
-      colour = f_->with_light(colour, ambient, lit_by(light, ray, point, n, hit, material));
+    bool one_was_hidden = false;
+    for (std::size_t light = 0; light < world_.lights().size(); ++light) {
+      const Rgb<Real> added = lit_by(light, ray, point, n, hit, material);
+      colour = f_->with_light(colour, ambient, added, one_was_hidden);
+      one_was_hidden = one_was_hidden || added == Rgb<Real>(0);
+    }
     if (!material.transmits && !material.mirrors) return colour;
 
     const Ray<Real> mirrored = leave(ray, point, n, f_->mirror_direction(ray.direction, n));
@@ -90,14 +103,14 @@ class Tracer {
       const auto bent = ratio == 1 ? ray.direction : f_->refracted_direction(ray.direction, n, ratio);
       if (!bent)
         return f_->colour_at_total_reflection(
-            colour, trace(RayKind::totally_reflected, mirrored, hit.surface, interiors, depth + 1));
-      refracted =
-          ratio == 1 ? go_on_unbent(leave(ray, point, n, *bent), hit.surface, beyond, depth, unbent)
-                     : trace(RayKind::refracted, leave(ray, point, n, *bent), hit.surface, beyond, depth + 1);
+            colour, trace(RayKind::totally_reflected, mirrored, hit.surface, interiors, path.deeper()));
+      refracted = ratio == 1 ? go_on_unbent(leave(ray, point, n, *bent), hit.surface, beyond, path)
+                             : trace(RayKind::refracted, leave(ray, point, n, *bent), hit.surface, beyond,
+                                     path.deeper());
     }
-    const Rgb<Real> reflected = material.mirrors
-                                    ? trace(RayKind::mirrored, mirrored, hit.surface, interiors, depth + 1)
-                                    : Rgb<Real>(0);
+    const Rgb<Real> reflected =
+        material.mirrors ? trace(RayKind::mirrored, mirrored, hit.surface, interiors, path.deeper())
+                         : Rgb<Real>(0);
     return f_->combined_colour(colour, material.mirror, reflected, material.transmit, refracted);
   }
 
@@ -120,7 +133,8 @@ class Tracer {
       seen.delta = visibility(shadow, hit.surface, seen.blocker);
       if (seen.delta != Rgb<Real>(0)) {
         const Vec3<Real> v = f_->toward_viewer({found_by.direction, point, eye_});
-        seen.specular_factor = f_->specular_factor(f_->reflected_light(n, to_light.direction), v, material.m);
+        const Vec3<Real>& l = to_light.direction;
+        seen.specular_factor = f_->specular_factor(f_->reflected_light(n, l), v, l, material.m);
       }
     }
     observer_.is_lit_by(index, seen);
@@ -165,13 +179,14 @@ class Tracer {
 
   /// Decision: a ratio of exactly 1 does not bend and does not raise the depth, and is black on the last
   /// level.
-  Rgb<Real> go_on_unbent(const Ray<Real>& ray, SurfaceId start, const Interiors<Real>& beyond, int depth,
-                         int unbent) const {
-    if (unbent >= most_unbent) {
+  Rgb<Real> go_on_unbent(const Ray<Real>& ray, SurfaceId start, const Interiors<Real>& beyond,
+                         const Path& path) const {
+    if (path.unbent >= most_unbent) {
       throw std::runtime_error("a ray crosses more than 1000 surfaces of equal refractive index");
     }
-    const bool is_last_level = depth + 1 >= options_.depth;
-    return trace(RayKind::unbent, ray, start, beyond, is_last_level ? options_.depth : depth, unbent + 1);
+    const bool is_last_level = path.depth + 1 >= options_.depth;
+    return trace(RayKind::unbent, ray, start, beyond,
+                 {path.rays, is_last_level ? options_.depth : path.depth, path.unbent + 1});
   }
 
   static constexpr int most_unbent = 1000;
