@@ -216,15 +216,14 @@ class Exporter {
   }
 
   void declare(ShapeId id, std::vector<bool>& is_declared) {
-    const auto* composite = std::get_if<Composite>(&scene_.shapes[id].geometry);
-    if (composite == nullptr || is_declared[id]) return;
+    if (!is_composite(scene_.shapes[id]) || is_declared[id]) return;
     is_declared[id] = true;
-    for (const ShapeId child : composite->children) declare(child, is_declared);
-    const bool is_union =
-        composite->children.size() > 1 || casts_apart(scene_.shapes[composite->children.front()]);
+    const std::vector<ShapeId>& children = children_of(scene_.shapes[id]);
+    for (const ShapeId child : children) declare(child, is_declared);
+    const bool is_union = children.size() > 1 || casts_apart(scene_.shapes[children.front()]);
     text_ += "#declare Composite_" + std::to_string(id) + " = " + (is_union ? "union { // " : "// ") +
              harmless(scene_.shapes[id].name) + "\n";  // POV-Ray warns of a union of one
-    for (const ShapeId child : composite->children) text_ += "  " + use(child, false) + "\n";
+    for (const ShapeId child : children) text_ += "  " + use(child, false) + "\n";
     if (is_union) text_ += "}\n";
   }
 

@@ -179,15 +179,19 @@ class Ties {
       : scene_(scene), eye_(eye - center), center_(center), shapes_(shapes) {}
 
   bool write_alike() {
-    const bool any = tie_spheres();
-    for (std::size_t i = 0; i < shapes_.size(); ++i) add_box(i);
+    for (std::size_t i = 0; i < shapes_.size(); ++i) {
+      std::visit(EachKind{[&](const Sphere& sphere) { add(sphere, i); }, [&](const Box& box) { add(box, i); },
+                          [](const Composite&) {}},
+                 shapes_[i].geometry);
+    }
     for (std::size_t later = 1; later < boxes_.size(); ++later) {
       for (std::size_t earlier = 0; earlier < later; ++earlier) tie(boxes_[earlier], boxes_[later]);
     }
     for (const EdgedBox& box : boxes_) {
       if (box.is_tied) write(box);
     }
-    return any || std::any_of(boxes_.begin(), boxes_.end(), [](const EdgedBox& b) { return b.is_tied; });
+    return are_spheres_tied_ ||
+           std::any_of(boxes_.begin(), boxes_.end(), [](const EdgedBox& b) { return b.is_tied; });
   }
 
  private:
@@ -217,40 +221,32 @@ class Ties {
     return true;
   }
 
-  bool tie_spheres() {
-    std::vector<std::pair<std::size_t, Ellipsoid>> seen;
-    bool any = false;
-    for (std::size_t i = 0; i < shapes_.size(); ++i) {
-      const auto* const sphere = std::get_if<Sphere>(&shapes_[i].geometry);
-      if (sphere == nullptr) continue;
-      const Ellipsoid own = ellipsoid(*sphere, shapes_[i].world_from_object.matrix);
-      const auto same = std::find_if(seen.begin(), seen.end(),
-                                     [&](const auto& other) { return are_one(other.second, own); });
-      if (same == seen.end()) {
-        seen.emplace_back(i, own);
-        continue;
-      }
-      const ShapeId shape = shapes_[i].shape;
-      shapes_[i] = shapes_[same->first];
-      shapes_[i].shape = shape;
-      any = true;
+  /// Ties it to the first that it is one with: another sphere stands at the place then.
+  void add(const Sphere& sphere, std::size_t place) {
+    const Ellipsoid own = ellipsoid(sphere, shapes_[place].world_from_object.matrix);
+    const auto same = std::find_if(spheres_.begin(), spheres_.end(),
+                                   [&](const auto& other) { return are_one(other.second, own); });
+    if (same == spheres_.end()) {
+      spheres_.emplace_back(place, own);
+      return;
     }
-    return any;
+    const ShapeId shape = shapes_[place].shape;
+    shapes_[place] = shapes_[same->first];
+    shapes_[place].shape = shape;
+    are_spheres_tied_ = true;
   }
 
   /// A box that is sheared has no edges that another one could share.
-  void add_box(std::size_t place) {
-    const auto* const box = std::get_if<Box>(&shapes_[place].geometry);
-    if (box == nullptr) return;
+  void add(const Box& box, std::size_t place) {
     const Transform<double>& placed = shapes_[place].world_from_object;
     const Vec3d origin = formulas::transform_point(placed.inverse, center_);
     EdgedBox edged{place, {}, {}, {}, largest(Vec3d(placed.matrix[3])), is_glass(place)};
     for (int k = 0; k < 3; ++k) {
       const double length = glm::length(Vec3d(placed.matrix[k]));
       edged.axes[static_cast<std::size_t>(k)] = Vec3d(placed.matrix[k]) / length;
-      edged.low[k] = length * (box->min[k] - origin[k]);
-      edged.high[k] = length * (box->max[k] - origin[k]);
-      edged.size = std::max({edged.size, length * std::abs(box->min[k]), length * std::abs(box->max[k]),
+      edged.low[k] = length * (box.min[k] - origin[k]);
+      edged.high[k] = length * (box.max[k] - origin[k]);
+      edged.size = std::max({edged.size, length * std::abs(box.min[k]), length * std::abs(box.max[k]),
                              length * std::abs(origin[k])});
     }
     if (!are_orthonormal(edged.axes)) return;
@@ -285,6 +281,8 @@ class Ties {
   Vec3d eye_;  // about the centre
   Vec3d center_;
   std::vector<PlacedShape>& shapes_;
+  std::vector<std::pair<std::size_t, Ellipsoid>> spheres_;  // the first at each place
+  bool are_spheres_tied_ = false;
   std::vector<EdgedBox> boxes_;
   Frames frames_;
 };

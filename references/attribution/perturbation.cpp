@@ -87,11 +87,9 @@ constexpr double most_of_a_shape = 1e-5;
 ShapeId copy_apart(const Scene& from, ShapeId id, Scene& to) {
   const ShapeId copy = to.shapes.size();
   to.shapes.push_back(from.shapes[id]);
-  if (const auto* composite = std::get_if<Composite>(&from.shapes[id].geometry)) {
-    std::vector<ShapeId> children;
-    for (const ShapeId child : composite->children) children.push_back(copy_apart(from, child, to));
-    to.shapes[copy].geometry = Composite{std::move(children)};
-  }
+  std::vector<ShapeId> children;
+  for (const ShapeId child : children_of(from.shapes[id])) children.push_back(copy_apart(from, child, to));
+  if (auto* const own = own_children_of(to.shapes[copy])) *own = std::move(children);
   return copy;
 }
 

@@ -125,7 +125,7 @@ std::vector<Fault> of_the_spaces() {
        "M = M1", "M = M7 M5 M1", "10 of 19", "composite.sdf",
        [](Subject& s) {
          for (Shape& shape : s.scene.shapes) {
-           if (std::holds_alternative<Composite>(shape.geometry)) shape.transform.clear();
+           if (is_composite(shape)) shape.transform.clear();
          }
        },
        nullptr},

@@ -100,7 +100,7 @@ class TextVariation {
     for (const Light& one : scene.lights) names.add(lights_, one.name, 'l');
     for (const Camera& one : scene.cameras) names.add(cameras_, one.name, 'c');
     for (const Shape& one : scene.shapes) {
-      if (!std::holds_alternative<Composite>(one.geometry)) names.add(shapes_, one.name, 's');
+      if (!is_composite(one)) names.add(shapes_, one.name, 's');
     }
   }
 

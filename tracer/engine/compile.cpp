@@ -63,8 +63,7 @@ class Compiler {
     for (const ShapeId root : scene_.roots()) all += counts_[root];
     is_large_ = all > settings.most_written_out;
     for (const plumb::Shape& shape : scene_.shapes) {
-      if (const auto* composite = std::get_if<Composite>(&shape.geometry))
-        for (const ShapeId child : composite->children) ++parents_[child];
+      for (const ShapeId child : children_of(shape)) ++parents_[child];
     }
   }
 

@@ -72,8 +72,9 @@ void put_in_order_of_action(std::vector<TransformStep>& lines, TransformOrder or
   if (order == TransformOrder::post) std::reverse(lines.begin(), lines.end());
   if (order == TransformOrder::trs) {
     const auto rank = [](const TransformStep& s) {
-      if (std::holds_alternative<Scale>(s)) return 0;
-      return std::holds_alternative<Rotate>(s) ? 1 : 2;
+      return std::visit(EachKind{[](const Scale&) { return 0; }, [](const Rotate&) { return 1; },
+                                 [](const Translate&) { return 2; }},
+                        s);
     };
     std::stable_sort(lines.begin(), lines.end(),
                      [&](const auto& a, const auto& b) { return rank(a) < rank(b); });

@@ -49,13 +49,14 @@ std::string write(const Scene& scene, const Shape& shape) {
 std::string write(const std::string& target, const std::vector<TransformStep>& steps) {
   std::string lines;
   for (const TransformStep& step : steps) {
-    lines += "transform " + target;
-    if (const auto* translate = std::get_if<Translate>(&step)) lines += " translate " + triple(translate->by);
-    if (const auto* rotate = std::get_if<Rotate>(&step)) {
-      lines += " rotate " + to_text(rotate->degrees) + " " + triple(rotate->axis);
-    }
-    if (const auto* scale = std::get_if<Scale>(&step)) lines += " scale " + triple(scale->by);
-    lines += "\n";
+    lines += "transform " + target + " " +
+             std::visit(EachKind{[](const Translate& move) { return "translate " + triple(move.by); },
+                                 [](const Rotate& turn) {
+                                   return "rotate " + to_text(turn.degrees) + " " + triple(turn.axis);
+                                 },
+                                 [](const Scale& scale) { return "scale " + triple(scale.by); }},
+                        step) +
+             "\n";
   }
   return lines;
 }

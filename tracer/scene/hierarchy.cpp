@@ -28,9 +28,7 @@ class Search {
     std::size_t next_child;
   };
 
-  bool is_new(ShapeId id) const {
-    return state_[id] == State::unseen && std::holds_alternative<Composite>(scene_.shapes[id].geometry);
-  }
+  bool is_new(ShapeId id) const { return state_[id] == State::unseen && is_composite(scene_.shapes[id]); }
 
   void descend(ShapeId root) {
     open(root);
@@ -85,12 +83,6 @@ void refuse_to_visit_too_many(const Scene& scene) {
 }
 
 }  // namespace
-
-const std::vector<ShapeId>& children_of(const Shape& shape) {
-  static const std::vector<ShapeId> none;
-  const auto* composite = std::get_if<Composite>(&shape.geometry);
-  return composite == nullptr ? none : composite->children;
-}
 
 CompositeOrder order_of_composites(const Scene& scene) { return Search(scene).run(); }
 

@@ -18,9 +18,6 @@ inline constexpr std::uint64_t max_instances = 4'000'000'000;
 /// The limit beyond which a scene is rendered, but not walked through instance by instance.
 inline constexpr std::uint64_t max_visited_instances = 2'000'000;
 
-/// The children of a composite; none of a sphere or a box.
-const std::vector<ShapeId>& children_of(const Shape& shape);
-
 /// An order of the composites in which each comes after its children, or what makes it impossible.
 struct CompositeOrder {
   std::vector<ShapeId> children_first;  ///< composites alone; not all of them when there is a cycle

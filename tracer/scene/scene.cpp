@@ -1,6 +1,8 @@
 #include "tracer/scene/scene.hpp"
 
 #include <stdexcept>
+#include <type_traits>
+#include <utility>
 
 #include "tracer/scene/each_kind.hpp"
 #include "tracer/text/words.hpp"
@@ -10,9 +12,7 @@ namespace plumb {
 std::vector<ShapeId> Scene::roots() const {
   std::vector<bool> is_child(shapes.size(), false);
   for (const Shape& shape : shapes) {
-    if (const auto* composite = std::get_if<Composite>(&shape.geometry)) {
-      for (const ShapeId child : composite->children) is_child[child] = true;
-    }
+    for (const ShapeId child : children_of(shape)) is_child[child] = true;
   }
   std::vector<ShapeId> found;
   for (ShapeId id = 0; id < shapes.size(); ++id) {
@@ -36,5 +36,30 @@ const MaterialId* material_of(const Shape& shape) {
                              [](const Composite&) -> const MaterialId* { return nullptr; }},
                     shape.geometry);
 }
+
+namespace {
+
+/// Null for what has none. A shape that may not be changed gives children that may not.
+template <class AnyShape>
+auto own_children(AnyShape& shape) {
+  using AnyComposite = std::conditional_t<std::is_const_v<AnyShape>, const Composite, Composite>;
+  using Children = decltype(&std::declval<AnyComposite&>().children);
+  return std::visit(EachKind{[](const Sphere&) -> Children { return nullptr; },
+                             [](const Box&) -> Children { return nullptr; },
+                             [](AnyComposite& composite) -> Children { return &composite.children; }},
+                    shape.geometry);
+}
+
+}  // namespace
+
+std::vector<ShapeId>* own_children_of(Shape& shape) { return own_children(shape); }
+
+const std::vector<ShapeId>& children_of(const Shape& shape) {
+  static const std::vector<ShapeId> none;
+  const auto* const own = own_children(shape);
+  return own == nullptr ? none : *own;
+}
+
+bool is_composite(const Shape& shape) { return material_of(shape) == nullptr; }
 
 }  // namespace plumb

@@ -124,6 +124,12 @@ struct Scene {
 /// The material of a sphere or a box; a composite has none (null).
 const MaterialId* material_of(const Shape& shape);
 
+/// The children of a composite; none of a sphere or a box.
+const std::vector<ShapeId>& children_of(const Shape& shape);
+/// To change them; null for a sphere or a box.
+std::vector<ShapeId>* own_children_of(Shape& shape);
+bool is_composite(const Shape& shape);
+
 /// M and M^-1 of successive steps in any real type, each inverse from the inverse of the part.
 template <class Real>
 Transform<Real> product_of(const std::vector<TransformStep>& steps) {

@@ -1,8 +1,10 @@
 #include "references/studies/needs/features.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
+#include "tracer/scene/each_kind.hpp"
 #include "tracer/scene/hierarchy.hpp"
 
 namespace plumb::references {
@@ -125,15 +127,42 @@ void add_secondary(std::vector<Feature>& rows, const Observed& seen, const Surve
                   "is the depth of the deepest ray"});
 }
 
+using Geometry = decltype(Shape::geometry);
+
+/// What a row says of a kind of shapes.
+struct KindInWords {
+  const char *id, *slide, *what;
+};
+
+/// Nothing for composites, whose row comes after those of the transforms.
+std::optional<KindInWords> in_words(const Geometry& kind) {
+  using Said = std::optional<KindInWords>;
+  return std::visit(EachKind{[](const Sphere&) -> Said {
+                               return KindInWords{"sphere", "Kugel", "spheres"};
+                             },
+                             [](const Box&) -> Said {
+                               return KindInWords{"box", "Quader", "boxes"};
+                             },
+                             [](const Composite&) -> Said { return std::nullopt; }},
+                    kind);
+}
+
+template <std::size_t... kind>
+std::vector<Geometry> one_of_each_kind(std::index_sequence<kind...>) {
+  return {Geometry(std::in_place_index<kind>)...};
+}
+
 void add_shapes(std::vector<Feature>& rows, const Survey& survey) {
   const auto add = [&](const char* id, const char* slide, const char* what, const Use& use) {
     rows.push_back({id, slide, what, use.in_scene, "shape", use.seen, "touches by rays"});
   };
   const auto is_uniform = [](const Scale& s) { return s.by.x == s.by.y && s.by.y == s.by.z; };
-  add("sphere", "Kugel", "spheres",
-      survey.shapes([](const Shape& s) { return std::holds_alternative<Sphere>(s.geometry); }));
-  add("box", "Quader", "boxes",
-      survey.shapes([](const Shape& s) { return std::holds_alternative<Box>(s.geometry); }));
+  for (const Geometry& kind : one_of_each_kind(std::make_index_sequence<std::variant_size_v<Geometry>>())) {
+    const auto said = in_words(kind);
+    if (!said) continue;
+    add(said->id, said->slide, said->what,
+        survey.shapes([&](const Shape& s) { return s.geometry.index() == kind.index(); }));
+  }
   add("translate", "Transformationen", "translation", survey.steps<Translate>(any));
   add("rotate", "Transformationen", "rotation", survey.steps<Rotate>(any));
   add("scale", "Transformationen", "even scaling", survey.steps<Scale>(is_uniform));
@@ -141,8 +170,7 @@ void add_shapes(std::vector<Feature>& rows, const Survey& survey) {
       survey.steps<Scale>([&](const Scale& s) { return !is_uniform(s); }));
   add("composed", "Zusammengesetzt, Inverse", "several transforms",
       survey.shapes([](const Shape& s) { return s.transform.size() > 1; }));
-  add("composite", "Composite, DAG", "composites",
-      survey.shapes([](const Shape& s) { return material_of(s) == nullptr; }));
+  add("composite", "Composite, DAG", "composites", survey.shapes(&is_composite));
   add("sharing", "Composite, DAG", "sharing by several parents", survey.shared());
 }
 

@@ -68,10 +68,10 @@ Scene without(const Scene& scene, const Untouched& untouched) {
     if (!is_gone[id]) rest.shapes.push_back(scene.shapes[id]);
   }
   for (Shape& shape : rest.shapes) {
-    auto* const composite = std::get_if<Composite>(&shape.geometry);
-    if (composite == nullptr) continue;
-    std::erase_if(composite->children, [&](ShapeId child) { return is_gone[child]; });
-    for (ShapeId& child : composite->children) child = place[child];
+    auto* const children = own_children_of(shape);
+    if (children == nullptr) continue;
+    std::erase_if(*children, [&](ShapeId child) { return is_gone[child]; });
+    for (ShapeId& child : *children) child = place[child];
   }
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
     if (!has(untouched.lights, i)) rest.lights.push_back(scene.lights[i]);
