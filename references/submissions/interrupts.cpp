@@ -2,19 +2,19 @@
 
 #include <unistd.h>
 
-#include <array>
 #include <atomic>
 #include <csignal>
+#include <optional>
 #include <string_view>
 
 #include "references/submissions/sandbox/process_tree.hpp"
 #include "references/system/process.hpp"
+#include "references/system/signal_handlers.hpp"
 
 namespace plumb::references {
 namespace {
 
-constexpr std::array numbers{SIGINT, SIGTERM, SIGHUP};
-std::array<struct sigaction, numbers.size()> before;
+std::optional<SignalHandlers> handlers;
 std::atomic<bool> has_come{false};
 
 void say_it_stops() {
@@ -24,9 +24,7 @@ void say_it_stops() {
 
 void on_signal(int number) {
   if (!has_come.exchange(true)) return say_it_stops();
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    if (numbers.at(i) == number) ::sigaction(number, &before.at(i), nullptr);
-  }
+  if (handlers) handlers->restore(number);
   ::raise(number);  // acts when this handler returns
 }
 
@@ -35,19 +33,10 @@ void on_signal(int number) {
 Interrupts::Interrupts() {
   const TemporaryDirectory installs_what_cleans_up;  // which a second signal shall find
   has_come = false;
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    struct sigaction action {};
-    action.sa_handler = &on_signal;
-    action.sa_flags = SA_RESTART;
-    ::sigaction(numbers.at(i), nullptr, &before.at(i));
-    const bool is_ignored = before.at(i).sa_handler == SIG_IGN;  // as under nohup
-    if (!is_ignored) ::sigaction(numbers.at(i), &action, nullptr);
-  }
+  handlers.emplace(&on_signal);
 }
 
-Interrupts::~Interrupts() {
-  for (std::size_t i = 0; i < numbers.size(); ++i) ::sigaction(numbers.at(i), &before.at(i), nullptr);
-}
+Interrupts::~Interrupts() { handlers.reset(); }
 
 bool Interrupts::came() { return has_come; }
 

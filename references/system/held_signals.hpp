@@ -1,6 +1,10 @@
 // Signals that have to wait until what is being exchanged is whole.
 #pragma once
 
+#include <optional>
+
+#include "references/system/signal_handlers.hpp"
+
 namespace plumb::references {
 
 /// While it lives, SIGINT, SIGTERM and SIGHUP are remembered, whichever thread they reach; at the end of its
@@ -11,6 +15,9 @@ class HeldSignals {
   ~HeldSignals();
   HeldSignals(const HeldSignals&) = delete;
   HeldSignals& operator=(const HeldSignals&) = delete;
+
+ private:
+  std::optional<SignalHandlers> handlers_;
 };
 
 }  // namespace plumb::references
