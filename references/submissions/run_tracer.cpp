@@ -15,6 +15,7 @@
 #include "references/submissions/collect.hpp"
 #include "references/submissions/command_line.hpp"
 #include "references/submissions/no_picture.hpp"
+#include "references/submissions/sandbox/shown_places.hpp"
 #include "references/submissions/shown_text.hpp"
 #include "references/system/process.hpp"
 #include "tracer/image/format.hpp"
@@ -59,19 +60,14 @@ std::vector<std::string> readable_by_all(const JudgeOptions& options) {
   return readable;
 }
 
-bool lies_in(const fs::path& path, const fs::path& directory) {
-  std::error_code none;
-  const fs::path way = fs::weakly_canonical(path, none).lexically_relative(directory);
-  return !way.empty() && *way.begin() != "..";
-}
-
 /// Of a directory with what is shown the pages and journals alone.
 void hide(const std::string& result, const std::vector<std::string>& readable,
           std::vector<std::string>& hidden) {
   std::error_code none;
   const fs::path real = fs::weakly_canonical(fs::absolute(result), none);
-  const bool is_shared = std::any_of(readable.begin(), readable.end(),
-                                     [&](const std::string& path) { return lies_in(path, real); });
+  const bool is_shared = std::any_of(readable.begin(), readable.end(), [&](const std::string& path) {
+    return lies_in(fs::weakly_canonical(path, none), real);
+  });
   if (!is_shared || !fs::is_directory(real, none)) return hidden.push_back(real.string());
   for (const auto& entry : fs::directory_iterator(real, none)) {
     const fs::path kind = entry.path().extension();

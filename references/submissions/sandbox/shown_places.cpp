@@ -30,10 +30,6 @@ constexpr const char* settings[] = {
     "protocols",    "services", "ssl/certs",    "timezone",   "OpenCL",        "vulkan",     "glvnd",
     "drirc",        "terminfo", "locale.alias", "perl",       "gcrypt",        "mono",       "ImageMagick-6"};
 
-bool lies_in(const fs::path& path, const fs::path& directory) {
-  return std::mismatch(directory.begin(), directory.end(), path.begin(), path.end()).first == directory.end();
-}
-
 fs::path without_end_slash(const fs::path& path) {
   const fs::path normal = path.lexically_normal();
   return normal.has_filename() || normal == "/" ? normal : normal.parent_path();
@@ -171,6 +167,10 @@ void refuse_own(const std::string& path) {
 }
 
 }  // namespace
+
+bool lies_in(const fs::path& path, const fs::path& directory) {
+  return std::mismatch(directory.begin(), directory.end(), path.begin(), path.end()).first == directory.end();
+}
 
 std::vector<Place> places_of(const SandboxView& view) {
   Plan plan;

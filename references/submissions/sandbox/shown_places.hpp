@@ -1,12 +1,16 @@
 // What a confined program sees of this machine: named places, in place of all but a list.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "references/submissions/sandbox/sandbox.hpp"
 
 namespace plumb::references {
+
+/// True if the path is the directory or lies in it. Both are absolute, without links.
+bool lies_in(const std::filesystem::path& path, const std::filesystem::path& directory);
 
 enum class PlaceKind {
   shown,   ///< as it is here, to be read
