@@ -179,12 +179,11 @@ class Attribution {
     if (moved_.size() >= most) moved_.pop_front();
     moved_.emplace_back(
         pattern, std::make_shared<const PixelTracer>(perturbation_.moved(pattern), job_, job_.shot.options,
-                                                     work_, Perturbation::formulas(pattern)));
+                                                     work_, perturbation_.formulas(pattern)));
     return moved_.back().second;
   }
 
   void try_pattern(int pattern, const PixelTracer& moved, Suspect& s) const {
-    perturbation_.begin_pixel(pattern, number_of(s));
     const std::optional<Colour> outcome = moved.at(*s.pixel);
     if (!outcome) return;
     s.varies =
@@ -221,13 +220,7 @@ class Attribution {
 
   RayNode tree(int pattern, const Suspect& s) const {
     if (pattern == no_pattern) return still_.tree_of(*s.pixel);
-    const std::shared_ptr<const PixelTracer> moved = moved_by(pattern);
-    perturbation_.begin_pixel(pattern, number_of(s));
-    return moved->tree_of(*s.pixel);
-  }
-
-  std::size_t number_of(const Suspect& s) const {
-    return static_cast<std::size_t>(s.pixel - budget_.pixels.data());
+    return moved_by(pattern)->tree_of(*s.pixel);
   }
 
   using Meetings = std::map<ShapeId, std::vector<const Suspect*>>;
@@ -241,7 +234,7 @@ class Attribution {
     std::set<ShapeId> found = shapes_that_change(
         meetings, {}, [](const Suspect& s) { return std::optional(s.unmoved); }, work);
     if (!found.empty() || meetings.empty()) return found;
-    const auto shadows = Perturbation::reference_shadows();
+    const PerturbedFormulas shadows = perturbation_.reference_shadows();
     const PixelTracer still(scene_, job_, job_.shot.options, work, shadows);
     return shapes_that_change(
         meetings, shadows, [&](const Suspect& s) { return still.at(*s.pixel); }, work);
@@ -249,15 +242,13 @@ class Attribution {
 
   /// With many shapes, of the first that are tried.
   template <class Unmoved>
-  std::set<ShapeId> shapes_that_change(const Meetings& meetings,
-                                       const textbook::FormulaTable<double>& formulas,
+  std::set<ShapeId> shapes_that_change(const Meetings& meetings, const PerturbedFormulas& formulas,
                                        const Unmoved& unmoved_of, textbook::Work& work) const {
     std::set<ShapeId> found;
     for (const auto& [id, pixels] : meetings) {
       for (int i = 0; i < patterns_of_one && !found.contains(id) && !work.is_over(); ++i) {
         const PixelTracer moved(perturbation_.with_one_moved(id, i), job_, job_.shot.options, work, formulas);
         const bool changes = std::any_of(pixels.begin(), pixels.end(), [&](const Suspect* s) {
-          perturbation_.begin_pixel(no_pattern, number_of(*s));
           const std::optional<Colour> unmoved = unmoved_of(*s);
           const std::optional<Colour> outcome = moved.at(*s->pixel);
           return unmoved && outcome && !is_within(unmoved->data(), outcome->data(), job_.tolerance);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <random>
 
 #include "tracer/scene/each_kind.hpp"
@@ -11,38 +10,6 @@
 namespace plumb::references {
 namespace {
 
-/// Of the way to a box. An entry of the table has no state of its own, so it is the thread's.
-thread_local double touched_edge = 0;
-
-/// Where a ray only touches the edge of a box, it enters and leaves at once: this takes the face it leaves
-/// by.
-std::optional<FaceHit<double>> leaving_at_edges(const Ray<double>& ray, const Corners<double>& box,
-                                                Face start) {
-  const auto hit = formulas::intersect_box(ray, box, start);
-  if (!hit || start != no_face) return hit;
-  const auto leaving =
-      formulas::intersect_box({formulas::point_at(ray, hit->t), ray.direction}, box, hit->face);
-  return leaving && leaving->t <= touched_edge * hit->t ? FaceHit<double>{hit->t, leaving->face} : *hit;
-}
-
-/// What is as near to the lit point, or to the light, as that is taken for the surface itself, or the light.
-thread_local double nearest_blocker = 0;
-
-bool blocks_from_afar(double t, double light_distance) {
-  return t > nearest_blocker && t < light_distance - nearest_blocker;
-}
-
-/// What is as near to the start of a ray is not met at all: of surfaces that coincide one is crossed.
-thread_local double nearest_hit = 0;
-
-bool is_far_ahead(double t, double rounding) { return t > rounding && t > nearest_hit; }
-
-/// Of two hits that are as near to each other either is taken, each time by chance.
-thread_local std::minstd_rand chance;
-
-bool is_nearer_or_by_chance(double t, double nearest, double) {
-  return std::abs(t - nearest) <= nearest_hit ? (chance() & 1U) != 0 : t < nearest;
-}
 
 /// Moves every face of a box, and the surface of a sphere, by `step` one way or the other.
 void move_surface(Shape& shape, double step, std::mt19937& random) {
@@ -142,28 +109,21 @@ Scene Perturbation::with_one_moved(ShapeId shape, int pattern) const {
   return moved;
 }
 
-textbook::FormulaTable<double> Perturbation::formulas(int pattern) {
-  textbook::FormulaTable<double> table;
-  if (pattern % 2 == 1) table.intersect_box = &leaving_at_edges;
-  if (pattern % 4 > 1) table.blocks_light = &blocks_from_afar;
-  if (pattern % 16 > 7) {
-    table.is_ahead = &is_far_ahead;
-    table.is_nearer = &is_nearer_or_by_chance;
-  }
-  return table;
+PerturbedFormulas Perturbation::formulas(int pattern) const {
+  PerturbedFormulas formulas;
+  formulas.table.pattern = static_cast<std::uint32_t>(pattern);
+  if (pattern % 2 == 1) formulas.table.touched_edge = resolution_.touched_edge;
+  if (pattern % 4 > 1) formulas.table.nearest_blocker = nearest_blocker();
+  if (pattern % 16 > 7) formulas.table.nearest_hit = step_;
+  return formulas;
 }
 
-textbook::FormulaTable<double> Perturbation::reference_shadows() {
-  textbook::FormulaTable<double> table;
-  table.blocks_light = &blocks_from_afar;
-  return table;
+PerturbedFormulas Perturbation::reference_shadows() const {
+  PerturbedFormulas formulas;
+  formulas.table.nearest_blocker = nearest_blocker();
+  return formulas;
 }
 
-void Perturbation::begin_pixel(int pattern, std::size_t pixel) const {
-  nearest_hit = step_;
-  nearest_blocker = resolution_.steps_to_blocker * nearest_hit;
-  touched_edge = resolution_.touched_edge;
-  chance.seed(static_cast<std::uint32_t>(pattern) * 7919U + static_cast<std::uint32_t>(pixel) + 1U);
-}
+double Perturbation::nearest_blocker() const { return resolution_.steps_to_blocker * step_; }
 
 }  // namespace plumb::references

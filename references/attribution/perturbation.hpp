@@ -4,9 +4,9 @@
 #include <cstddef>
 #include <vector>
 
+#include "references/attribution/perturbed_formulas.hpp"
 #include "references/renderers/resolution.hpp"
 #include "tracer/scene/scene.hpp"
-#include "tracer/textbook/formula_table.hpp"
 
 namespace plumb::references {
 
@@ -30,13 +30,13 @@ class Perturbation {
   static double factor(int pattern);
   Scene moved(int pattern) const;
   Scene with_one_moved(ShapeId shape, int pattern) const;
-  static textbook::FormulaTable<double> formulas(int pattern);
+  PerturbedFormulas formulas(int pattern) const;
   /// What is as near to a lit point as casts no shadow in the reference casts none.
-  static textbook::FormulaTable<double> reference_shadows();
-  /// To be called in the thread that traces, before each pixel: the formulas of a pattern have a state.
-  void begin_pixel(int pattern, std::size_t pixel) const;
+  PerturbedFormulas reference_shadows() const;
 
  private:
+  double nearest_blocker() const;
+
   const Scene& scene_;
   const Resolution& resolution_;
   double extent_;

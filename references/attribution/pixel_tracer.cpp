@@ -12,7 +12,7 @@ Colour rounded(const Rgbd& c) {
 }  // namespace
 
 PixelTracer::PixelTracer(Scene scene, const AttributionJob& job, const RenderOptions& options,
-                         textbook::Work& work, const textbook::FormulaTable<double>& formulas)
+                         textbook::Work& work, const PerturbedFormulas& formulas)
     : scene_(std::move(scene)),
       world_(scene_, formulas),
       budget_(world_.instances(), work),
@@ -23,12 +23,14 @@ PixelTracer::PixelTracer(Scene scene, const AttributionJob& job, const RenderOpt
 }
 
 std::optional<Colour> PixelTracer::at(const AttributedPixel& p) const {
+  world_.formulas()->begin_pixel({p.x, p.y});
   const Colour colour = rounded(tracer_.raycast(p.x, p.y));
   if (budget_.take_is_cut()) return std::nullopt;
   return colour;
 }
 
 RayNode PixelTracer::tree_of(const AttributedPixel& p) const {
+  world_.formulas()->begin_pixel({p.x, p.y});
   recording_.raycast(p.x, p.y);
   return recorder_.take();
 }

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "references/attribution/attribution.hpp"
+#include "references/attribution/perturbed_formulas.hpp"
 #include "references/attribution/ray_tree.hpp"
 
 namespace plumb::references {
@@ -17,22 +18,22 @@ class PixelTracer {
  public:
   /// `work` must outlive it; making the world is counted, too.
   PixelTracer(Scene scene, const AttributionJob& job, const RenderOptions& options, textbook::Work& work,
-              const textbook::FormulaTable<double>& formulas = {});
+              const PerturbedFormulas& formulas = {});
   PixelTracer(const PixelTracer&) = delete;
   PixelTracer& operator=(const PixelTracer&) = delete;
 
   /// Nothing when the pixel has too many rays to be traced.
   std::optional<Colour> at(const AttributedPixel& p) const;
+  /// Of the same rays.
   RayNode tree_of(const AttributedPixel& p) const;
 
  private:
-  using Formulas = textbook::ReplaceableFormulas<double>;
   Scene scene_;
-  textbook::World<double> world_;
+  textbook::World<double, PerturbedFormulas> world_;
   textbook::RayBudget<double> budget_;
-  textbook::Tracer<double, Formulas, textbook::RayBudget<double>> tracer_;
+  textbook::Tracer<double, PerturbedFormulas, textbook::RayBudget<double>> tracer_;
   Recorder recorder_;
-  textbook::Tracer<double, Formulas, Recorder> recording_;
+  textbook::Tracer<double, PerturbedFormulas, Recorder> recording_;
 };
 
 }  // namespace plumb::references
