@@ -27,12 +27,13 @@ SphereSetting any_hit(double distance, Random& random) {
 }
 
 /// Share of the true hits of a unit sphere that a method loses.
-template <class Real, auto method, auto setting>
-double lost(double distance) {
+template <class Real>
+double lost(IntersectSphere<Real> method, SphereAt setting, double distance) {
+  const Experiment experiment = sphere_trial<Real>(method, setting);
   Random random(1);
   long hits = 0, missed = 0;
   for (long i = 0; i < rays(); ++i) {
-    const Trial trial = sphere_trial<Real, method, setting>(distance, random);
+    const Trial trial = experiment(distance, random);
     hits += trial.counts ? 1 : 0;
     missed += trial.counts && trial.missed ? 1 : 0;
   }
@@ -40,8 +41,8 @@ double lost(double distance) {
 }
 
 TEST(Stability, TheNaiveSphereLosesHitsInFloat) {
-  const double near = lost<float, &methods::sphere_naive<float>, &any_hit>(1000);
-  const double far = lost<float, &methods::sphere_naive<float>, &any_hit>(4100);
+  const double near = lost<float>(&methods::sphere_naive<float>, &any_hit, 1000);
+  const double far = lost<float>(&methods::sphere_naive<float>, &any_hit, 4100);
   std::printf("lost by b^2 - 4ac in float: %.2f %% at d/r 1000, %.2f %% at 4100\n", 100 * near, 100 * far);
   EXPECT_GT(near, 0.01);
   EXPECT_GT(far, 0.05);
@@ -49,56 +50,45 @@ TEST(Stability, TheNaiveSphereLosesHitsInFloat) {
 
 TEST(Stability, HainesLosesNoClearHitInFloatUpToHalfAMillion) {
   for (const double distance : {1e3, 4100.0, 1e5, 5e5})
-    EXPECT_EQ((lost<float, &methods::sphere_haines<float>, &far_sphere>(distance)), 0) << distance;
+    EXPECT_EQ(lost<float>(&methods::sphere_haines<float>, &far_sphere, distance), 0) << distance;
 }
 
-template <auto setting>
-double most_ulps() {
+double most_ulps(SphereAt setting) {
+  const Experiment experiment = sphere_trial<double>(&formulas::intersect_sphere<double>, setting);
   Random random(2);
   double most = 0;
   for (long i = 0; i < rays(); ++i) {
     const double value = std::pow(10.0, 6 * uniform(random));
-    const Trial t = sphere_trial<double, &formulas::intersect_sphere<double>, setting>(value, random);
+    const Trial t = experiment(value, random);
     if (t.counts) most = std::max(most, t.missed ? 1e300 : t.ulps);
   }
   return most;
 }
 
 TEST(Stability, ClearHitsOfTheDefaultAreWithin16UlpInDoubleUpToAMillion) {
-  EXPECT_LE(most_ulps<&far_sphere>(), 16);
-  EXPECT_LE(most_ulps<&small_sphere>(), 16);
-  EXPECT_LE(most_ulps<&scaled_sphere>(), 16);
-  EXPECT_LE(most_ulps<&shrunk_sphere>(), 16);
-  EXPECT_LE(most_ulps<&offset_sphere>(), 16);
+  EXPECT_LE(most_ulps(&far_sphere), 16);
+  EXPECT_LE(most_ulps(&small_sphere), 16);
+  EXPECT_LE(most_ulps(&scaled_sphere), 16);
+  EXPECT_LE(most_ulps(&shrunk_sphere), 16);
+  EXPECT_LE(most_ulps(&offset_sphere), 16);
 }
 
-struct ByIdentity {
-  template <class R>
-  constexpr Start<R> of() const {
-    return {&formulas::secondary_origin<R>, &formulas::is_ahead<R>, true};
-  }
-};
-struct Nothing {
-  template <class R>
-  constexpr Start<R> of() const {
-    return {&formulas::secondary_origin<R>, [](R t, R) { return t > 0; }, false};
-  }
-};
-
-template <class Way>
-long self_hits() {
+long self_hits(const Start<double>& way) {
+  const Experiment experiment = start_trial<double>(way, &scaled_sphere);
   Random random(3);
   long found = 0;
   for (long i = 0; i < rays(); ++i) {
     const double scale = std::pow(10.0, 16 * uniform(random) - 8);
-    found += start_trial<double, Way{}, &scaled_sphere>(scale, random).self_shadow ? 1 : 0;
+    found += experiment(scale, random).self_shadow ? 1 : 0;
   }
   return found;
 }
 
 TEST(Stability, NoRayMeetsTheSurfaceItLeaves) {
-  EXPECT_EQ(self_hits<ByIdentity>(), 0);
-  EXPECT_GT(self_hits<Nothing>(), rays() / 20) << "the test cannot fail";
+  EXPECT_EQ(self_hits({&formulas::secondary_origin<double>, &formulas::is_ahead<double>, true}), 0);
+  EXPECT_GT(self_hits({&formulas::secondary_origin<double>, [](double t, double) { return t > 0; }, false}),
+            rays() / 20)
+      << "the test cannot fail";
 }
 
 /// Boxes about the origin that share faces, edges and a corner there; aimed at what they share.

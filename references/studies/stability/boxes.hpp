@@ -60,11 +60,20 @@ BoxCase<Real> near_parallel(double v, Random& random) {
   return c;
 }
 
-template <class Real, auto method, auto setting>
-Trial box_trial(double value, Random& random) {
-  const BoxCase<Real> c = setting(value, random);
-  const auto hit = method(c.ray, c.box, no_face);
-  return judged(hit ? std::optional<Real>(hit->t) : std::nullopt, true_box_hit(c.ray, c.box.min, c.box.max));
+template <class Real>
+using BoxAt = BoxCase<Real> (*)(double value, Random&);
+template <class Real>
+using IntersectBox = decltype(&formulas::intersect_box<Real>);
+
+/// A ray that comes from outside.
+template <class Real>
+Experiment box_trial(IntersectBox<Real> intersect, BoxAt<Real> setting) {
+  return [=](double value, Random& random) {
+    const BoxCase<Real> c = setting(value, random);
+    const auto hit = intersect(c.ray, c.box, no_face);
+    return judged(hit ? std::optional<Real>(hit->t) : std::nullopt,
+                  true_box_hit(c.ray, c.box.min, c.box.max));
+  };
 }
 
 }  // namespace plumb::references::stability

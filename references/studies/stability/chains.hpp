@@ -2,6 +2,8 @@
 #pragma once
 
 #include <map>
+#include <memory>
+#include <mutex>
 #include <vector>
 
 #include "references/studies/stability/spheres.hpp"
@@ -47,15 +49,30 @@ inline double longest_axis(const Mat4<Quad>& matrix) {
 }
 
 /// Places what has been placed at that value before only once: chains are long.
-template <class Real, auto place, auto steps>
-const Placed<Real>& placed_at(double value) {
-  thread_local std::map<double, Placed<Real>> known;
-  const auto found = known.find(value);
-  if (found != known.end()) return found->second;
-  const Steps all = steps(value);
-  const Transform<Quad> exact = transform_of<Quad>(all);
-  return known[value] = {place(all), exact, longest_axis(exact.matrix)};
-}
+template <class Real>
+class Places {
+ public:
+  using Place = Transform<Real> (*)(const Steps&);
+  using StepsAt = Steps (*)(double value);
+
+  Places(Place place, StepsAt steps) : place_(place), steps_(steps) {}
+
+  /// May be called from several threads.
+  const Placed<Real>& at(double value) {
+    const std::lock_guard lock(mutex_);
+    const auto found = known_.find(value);
+    if (found != known_.end()) return found->second;
+    const Steps all = steps_(value);
+    const Transform<Quad> exact = transform_of<Quad>(all);
+    return known_[value] = {place_(all), exact, longest_axis(exact.matrix)};
+  }
+
+ private:
+  Place place_;
+  StepsAt steps_;
+  std::mutex mutex_;
+  std::map<double, Placed<Real>> known_;
+};
 
 template <class Real>
 std::optional<Real> in_object_space(const Placed<Real>& placed, const Ray<Real>& ray) {
@@ -79,12 +96,14 @@ inline double incidence(const Transform<Quad>& exact, const Ray<Quad>& world, co
   return std::abs(static_cast<double>(glm::dot(n, glm::normalize(world.direction))));
 }
 
+template <class Real>
+using IntersectPlaced = std::optional<Real> (*)(const Placed<Real>&, const Ray<Real>&);
+
 /// A ray toward a unit sphere that the matrix has moved, from beyond it; t counts in the world. Rays that
 /// graze do not count: that is a condition of its own, and rounding a rotation alone moves their hits.
-template <class Real, auto place, auto steps, auto intersect>
-Trial placed_trial(double value, Random& random) {
+template <class Real>
+Trial placed_trial(const Placed<Real>& m, IntersectPlaced<Real> intersect, Random& random) {
   constexpr double clear = 0.3;
-  const Placed<Real>& m = placed_at<Real, place, steps>(value);
   const Vec3<Quad> on_it = formulas::transform_point(m.exact.matrix, Vec3<Quad>(0.9 * unit_vector(random)));
   const Vec3<Quad> eye = on_it + Vec3<Quad>(3 * m.size * unit_vector(random));
   const Ray<Real> ray{Vec3<Real>(eye), glm::normalize(Vec3<Real>(on_it - eye))};
@@ -94,6 +113,13 @@ Trial placed_trial(double value, Random& random) {
   Trial trial = judged(intersect(m, ray), truth);
   trial.counts = trial.counts && incidence(m.exact, world, exact, *truth) > clear;
   return trial;
+}
+
+template <class Real>
+Experiment placed_trial(typename Places<Real>::Place place, typename Places<Real>::StepsAt steps,
+                        IntersectPlaced<Real> intersect) {
+  const auto places = std::make_shared<Places<Real>>(place, steps);
+  return [=](double value, Random& random) { return placed_trial(places->at(value), intersect, random); };
 }
 
 /// How far a refracted direction is off, as a share of the bend; lost when only one of both is reflected.

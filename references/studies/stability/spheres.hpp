@@ -53,10 +53,17 @@ SphereCase<Real> rounded(const SphereSetting& setting, Random& random) {
           static_cast<Real>(setting.radius)};
 }
 
-template <class Real, auto method, auto setting>
-Trial sphere_trial(double value, Random& random) {
-  const SphereCase<Real> c = rounded<Real>(setting(value, random), random);
-  return judged(method(c.ray, c.center, c.radius, false), true_sphere_hit(c.ray, c.center, c.radius));
+using SphereAt = SphereSetting (*)(double value, Random&);
+template <class Real>
+using IntersectSphere = decltype(&formulas::intersect_sphere<Real>);
+
+/// A ray that comes from outside.
+template <class Real>
+Experiment sphere_trial(IntersectSphere<Real> intersect, SphereAt setting) {
+  return [=](double value, Random& random) {
+    const SphereCase<Real> c = rounded<Real>(setting(value, random), random);
+    return judged(intersect(c.ray, c.center, c.radius, false), true_sphere_hit(c.ray, c.center, c.radius));
+  };
 }
 
 /// How a ray is kept off the surface that it starts on.
@@ -75,12 +82,11 @@ Real rounding_at(const Vec3<Real>& p) {
 }
 
 /// A ray leaves the sphere outward, where it must meet nothing, and inward, where it must reach the far side.
-template <class Real, auto start, auto setting, auto intersect = &formulas::intersect_sphere<Real>>
-Trial start_trial(double value, Random& random) {
-  const SphereCase<Real> c = rounded<Real>(setting(value, random), random);
+template <class Real>
+Trial start_trial(const Start<Real>& way, const SphereCase<Real>& c, IntersectSphere<Real> intersect,
+                  Random& random) {
   const auto t = intersect(c.ray, c.center, c.radius, false);
   if (!t) return {.counts = false};
-  const Start<Real> way = start.template of<Real>();
   const Vec3<Real> along = formulas::point_at(c.ray, *t);
   const Vec3<Real> n = glm::normalize(along - c.center);
   const Vec3<Real> p = way.refines ? c.center + c.radius * n : along;
@@ -98,6 +104,14 @@ Trial start_trial(double value, Random& random) {
   const auto far_side = meets(-out);
   trial.missed = !far_side && chord > c.radius / 100;  // shorter ones are lost in rounding by right
   return trial;
+}
+
+template <class Real>
+Experiment start_trial(const Start<Real>& way, SphereAt setting,
+                       IntersectSphere<Real> intersect = &formulas::intersect_sphere<Real>) {
+  return [=](double value, Random& random) {
+    return start_trial(way, rounded<Real>(setting(value, random), random), intersect, random);
+  };
 }
 
 }  // namespace plumb::references::stability
