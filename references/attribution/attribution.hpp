@@ -1,35 +1,17 @@
 // The pixel budget: every pixel over the tolerance gets exactly one cause, proven by tracing it again.
 #pragma once
 
-#include <array>
+#include <cstddef>
 #include <string>
 #include <vector>
 
+#include "references/attribution/causes.hpp"
 #include "references/comparison/comparison.hpp"
 #include "references/renderers/holds.hpp"
 #include "references/renderers/resolution.hpp"
 #include "tracer/scene/shot.hpp"
 
 namespace plumb::references {
-
-/// Why a pixel is over the tolerance. All but the last are matters of chance or of the reference's format,
-/// and no fault of either renderer.
-enum class Cause {
-  silhouette,           ///< the sample lies on the edge of an object or of a face
-  shadow_edge,          ///< the point lies on the edge of a shadow, or where n.l is 0
-  secondary_edge,       ///< such an edge seen in a mirror or through glass
-  coincident,           ///< two surfaces are at one place, and either may be met
-  reference_tolerance,  ///< something is nearer to the start of a ray than the reference resolves
-  depth,                ///< the reference stopped one ray earlier or later
-  quantisation,         ///< the reference holds integers: rounding gives its value exactly
-  clamped,              ///< the reference cannot hold more than 1
-  undecided,            ///< the scene's last digits leave both values open, see settle_undecided
-  unexplained,          ///< none of these: a difference of the model
-};
-inline constexpr std::size_t cause_count = 10;
-
-/// As it stands in JSON, e.g. "shadow_edge".
-const char* to_string(Cause cause);
 
 struct AttributedPixel {
   int x;
@@ -46,9 +28,7 @@ struct Budget {
   /// Where the reference shows another surface than ours, or another shadow, because two are nearer to each
   /// other than it resolves, and where both values are open: nobody but us said what colour our surface has
   /// there. (At an edge the pixels beside it say so.)
-  std::size_t unverified() const {
-    return count(Cause::coincident) + count(Cause::reference_tolerance) + count(Cause::undecided);
-  }
+  std::size_t unverified() const;
   /// What a reader of the counts must know when pixels were not examined; else empty.
   std::string note() const;
   std::size_t explained() const { return pixels.size() - count(Cause::unexplained); }

@@ -10,7 +10,6 @@
 namespace plumb::references {
 namespace {
 
-
 /// Moves every face of a box, and the surface of a sphere, by `step` one way or the other.
 void move_surface(Shape& shape, double step, std::mt19937& random) {
   const auto either = [&] { return (random() & 1U) != 0 ? step : -step; };

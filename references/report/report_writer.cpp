@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "references/attribution/causes.hpp"
 #include "references/report/escape.hpp"
 #include "references/report/own_page.hpp"
 #include "references/report/packing.hpp"
@@ -56,6 +57,13 @@ Json json_of(const ReportEntry& entry) {
   return json;
 }
 
+/// With the colours of their pixels.
+Json known_causes() {
+  Json causes = Json::array();
+  for (const CauseRow& row : cause_rows()) causes.push_back({{"name", row.name}, {"colour", row.colour}});
+  return causes;
+}
+
 }  // namespace
 
 ReportWriter::ReportWriter(std::string directory, std::string title, std::string subtitle,
@@ -99,11 +107,8 @@ void ReportWriter::move_beside(Picture& picture) const {
 }
 
 std::string ReportWriter::blocks() const {
-  const Json report{{"title", title_},
-                    {"subtitle", subtitle_},
-                    {"version", PLUMB_VERSION},
-                    {"side_files", is_beside_},
-                    {"scenes", scenes_}};
+  const Json report{{"title", title_},          {"subtitle", subtitle_},    {"version", PLUMB_VERSION},
+                    {"side_files", is_beside_}, {"causes", known_causes()}, {"scenes", scenes_}};
   std::string html =
       "<script type=\"application/json\" id=\"report-data\">" + script_json(report) + "</script>\n";
   for (const Picture& picture : pictures_) {

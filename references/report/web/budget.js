@@ -2,14 +2,22 @@
 import {element} from "./dom.js";
 import {count, words} from "./format.js";
 
-const known = ["unexplained", "silhouette", "shadow_edge", "secondary_edge", "coincident", "reference_tolerance",
-  "depth", "quantisation", "clamped", "undecided", "ignored"];
+let known = [];  // {name, colour}
 
-export const cause_class = (cause) => `cause cause-${known.includes(cause) ? cause : "other"}`;
+/** The causes of the report, in their order; others have a colour of the style sheet, or the common one. */
+export function know_causes(causes) { known = causes; }
+
+const place = (cause) => known.findIndex(({name}) => name === cause);
+
+/** Attributes of what shows a cause by its colour. */
+export function cause_look(cause, classes = "", style = {}) {
+  const colour = known[place(cause)]?.colour;
+  return {class: `${classes} cause cause-${cause}`, style: {...style, ...(colour ? {background: colour} : {})}};
+}
 
 /** [cause, pixels] of those that occur, the unexplained first. */
 export function parts(budget) {
-  const rank = (cause) => (known.includes(cause) ? known.indexOf(cause) : known.length);
+  const rank = (cause) => (cause === "unexplained" ? -1 : place(cause) < 0 ? known.length : place(cause));
   return Object.entries(budget ?? {}).filter(([, n]) => n > 0).sort((a, b) => rank(a[0]) - rank(b[0]));
 }
 
@@ -19,7 +27,7 @@ function sentence(budget) {
 
 export function bar(budget) {
   const segments = parts(budget).map(([cause, n]) =>
-    element("span", {class: cause_class(cause), title: `${words(cause)}: ${count(n)}`, style: {"flex-grow": n}}));
+    element("span", {title: `${words(cause)}: ${count(n)}`, ...cause_look(cause, "", {"flex-grow": n})}));
   return element("span", {class: "budget", role: "img", "aria-label": `Pixel budget: ${sentence(budget) || "nothing over"}`},
     segments);
 }
@@ -27,7 +35,7 @@ export function bar(budget) {
 export function legend(budget) {
   const total = parts(budget).reduce((sum, [, n]) => sum + n, 0);
   const lines = parts(budget).map(([cause, n]) => element("li", {},
-    element("span", {class: `key ${cause_class(cause)}`, "aria-hidden": "true"}),
+    element("span", {"aria-hidden": "true", ...cause_look(cause, "key")}),
     element("span", {class: "grow"}, words(cause)),
     element("span", {class: "number"}, count(n)),
     element("span", {class: "number share"}, `${(100 * n / total).toFixed(1)} %`)));

@@ -1,4 +1,5 @@
 // The page: overview or one scene, chosen by the address.
+import {know_causes} from "./budget.js";
 import {make_about, make_help} from "./dialogs.js";
 import {element} from "./dom.js";
 import {thumbnail_filter} from "./heat.js";
@@ -9,6 +10,7 @@ import {SceneView} from "./scene.js";
 import {read_report} from "./store.js";
 
 const report = read_report();
+know_causes(report.causes);
 const settings = {has_shortcuts: true};
 const view = {mode: "slider", exposure: 0, is_srgb: true, has_marks: false, is_own_range: false,
   is_paused: matchMedia("(prefers-reduced-motion: reduce)").matches};

@@ -1,5 +1,5 @@
 // The values of the pixel under the pointer, or of the one that was picked.
-import {cause_class} from "./budget.js";
+import {cause_look} from "./budget.js";
 import {element} from "./dom.js";
 import {figure, float32, words} from "./format.js";
 
@@ -32,7 +32,7 @@ export function readout(picture, causes, pixel, origin) {
   return [
     element("p", {class: "place"}, element("span", {class: "number"}, `x ${pixel.x}, y ${pixel.y}`),
       element("span", {class: "muted"}, origin),
-      cause ? element("span", {class: "tag"}, element("span", {class: `key ${cause_class(cause)}`, "aria-hidden": "true"}), words(cause))
+      cause ? element("span", {class: "tag"}, element("span", {"aria-hidden": "true", ...cause_look(cause, "key")}), words(cause))
         : element("span", {class: "tag quiet"}, "within the tolerance")),
     element("table", {class: "values"}, element("thead", {}, element("tr", {}, head)), element("tbody", {}, rows)),
   ];
