@@ -122,7 +122,7 @@ Table options_of_pairs(PairOptions& pair) {
            &pair.read.part,
            "of files with several parts or pages, the one to compare",
            {.value = "NAME|N"}},
-          {"--metrics", &pair.metrics, "also PSNR, percentiles, bias, SSIM and FLIP"}};
+          {"--metrics", &pair.metrics, "also " + metrics_named()}};
 }
 
 }  // namespace
@@ -144,7 +144,7 @@ Command compare_command() {
           "single images: {\"glass\": {\"allow_over\": \"0.1%\", \"ignore\": [\"0,0,64,16\"], \"because\": "
           "\"the "
           "clock\"}}, with tolerance, relative, allow_over, ignore and only as the options.\n" +
-          std::string(metrics_help) + "\nExit codes: 0 agree, 1 differ, 2 trouble.",
+          metrics_help() + "\nExit codes: 0 agree, 1 differ, 2 trouble.",
       .options = joined({{{"REFERENCE",
                            &options->reference,
                            "image that is taken to be right; a directory of such, or a quoted pattern",

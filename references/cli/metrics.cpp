@@ -24,7 +24,37 @@ std::string flip_text(const references::Flip& flip) {
   return text;
 }
 
+std::string scalars_text(const references::Metrics& m) {
+  std::string text;
+  for (std::size_t i = 0; i < m.scalars.size(); ++i) {
+    const references::ScalarMetric& metric = references::scalar_metrics()[i];
+    const std::string none = "none: " + std::string(metric.none) + ", or not finite";
+    text += line(metric.name, m.scalars[i] ? number(*m.scalars[i]) : none);
+  }
+  return text;
+}
+
 }  // namespace
+
+std::string metrics_named() {
+  std::string names = "PSNR, percentiles, bias";
+  for (const references::ScalarMetric& metric : references::scalar_metrics())
+    names += std::string(", ") + metric.name;
+  return names + " and FLIP";
+}
+
+std::string metrics_help() {
+  std::string text =
+      "--metrics adds: peak (largest component, at least 1), PSNR in dB (20 log10(peak / RMS)), percentiles "
+      "of "
+      "each pixel's largest difference, bias (mean of test - reference) per channel, ";
+  for (const references::ScalarMetric& metric : references::scalar_metrics())
+    text += std::string(metric.what) + ", ";
+  return text +
+         "FLIP (0 to 1). Float and 16-bit files count as linear light and get HDR-FLIP (Andersson et al. "
+         "2021); "
+         "when both files hold 8 bits, they count as sRGB and get LDR-FLIP (2020).";
+}
 
 std::string metrics_table(const references::Metrics& m) {
   std::string percentiles;
@@ -36,8 +66,7 @@ std::string metrics_table(const references::Metrics& m) {
   for (const double b : m.bias) bias += (bias.empty() ? "" : " ") + number(b);
   return line("peak", number(m.peak)) +
          line("PSNR", m.psnr_db ? number(*m.psnr_db) + " dB" : "none: nothing differs") +
-         line("percentiles", percentiles) + line("bias", bias) +
-         line("SSIM", m.ssim ? number(*m.ssim) : "none: smaller than 11 x 11, or not finite") +
+         line("percentiles", percentiles) + line("bias", bias) + scalars_text(m) +
          line("FLIP", m.flip ? flip_text(*m.flip) : "none: not finite");
 }
 

@@ -149,7 +149,8 @@ Json to_json(const references::Metrics& m) {
     json["percentiles"][name] = m.percentiles[i];
   }
   json["bias"] = m.bias;
-  json["ssim"] = m.ssim ? Json(*m.ssim) : Json();
+  for (std::size_t i = 0; i < m.scalars.size(); ++i)
+    json[references::scalar_metrics()[i].key] = m.scalars[i] ? Json(*m.scalars[i]) : Json();
   json["flip"] = m.flip ? flip_json(*m.flip) : Json();
   return json;
 }

@@ -28,7 +28,8 @@ Json to_json(const references::Judgement& judgement);
 /// One of the "scenes" of a report.
 Json scene_json(const references::SceneResult& result);
 
-/// peak, psnr_db, percentiles, bias; ssim and flip when they were computed. What does not exist is null.
+/// peak, psnr_db, percentiles, bias; those that are one number and flip when they were computed. What does
+/// not exist is null.
 Json to_json(const references::Metrics& metrics);
 
 /// name, text, pixels_over, removed, because

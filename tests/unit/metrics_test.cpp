@@ -66,7 +66,8 @@ TEST(Metrics, WhatIsNotFiniteEntersNoFigure) {
   EXPECT_EQ(m.peak, 1);
   const Values a{0, nan}, b{0, 0};
   const Metrics all = references::all_metrics({2, 1, 1, a.data()}, {2, 1, 1, b.data()}, ColourSpace::linear);
-  EXPECT_FALSE(all.ssim.has_value());
+  EXPECT_FALSE(all.scalars.empty());
+  for (const auto& scalar : all.scalars) EXPECT_FALSE(scalar.has_value());
   EXPECT_FALSE(all.flip.has_value());
 }
 

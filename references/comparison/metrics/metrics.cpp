@@ -54,6 +54,13 @@ double percentile(std::vector<double>& values, std::size_t permille) {
 
 }  // namespace
 
+const std::vector<ScalarMetric>& scalar_metrics() {
+  static const std::vector<ScalarMetric> all{
+      {"ssim", "SSIM", "SSIM (Wang et al. 2004, luminance)", "smaller than 11 x 11", &ssim},
+  };
+  return all;
+}
+
 Metrics cheap_metrics(const PictureView& reference, const PictureView& test) {
   Sums sums = sums_of(reference, test);
   Metrics metrics;
@@ -75,7 +82,8 @@ Metrics all_metrics(const PictureView& reference, const PictureView& test, Colou
     return std::all_of(p.values, p.values + p.components(), [](float v) { return std::isfinite(v); });
   };
   if (!every_finite(reference) || !every_finite(test)) return metrics;
-  metrics.ssim = ssim(reference, test, metrics.peak);
+  for (std::size_t i = 0; i < metrics.scalars.size(); ++i)
+    metrics.scalars[i] = scalar_metrics()[i].of(reference, test, metrics.peak);
   metrics.flip = flip(reference, test, space);
   return metrics;
 }

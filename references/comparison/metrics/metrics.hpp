@@ -14,6 +14,16 @@ namespace plumb::references {
 /// The percentiles that are told, in thousandths.
 inline constexpr std::array<std::size_t, 4> permilles{500, 900, 990, 999};
 
+/// A metric that is one number of two whole pictures.
+struct ScalarMetric {
+  const char* key;   ///< in JSON
+  const char* name;  ///< in text, at most 12 letters
+  const char* what;  ///< the name and its source, for --help
+  const char* none;  ///< why pictures may have none, beside pixels that are not finite
+  std::optional<double> (*of)(const PictureView& reference, const PictureView& test, double peak);
+};
+const std::vector<ScalarMetric>& scalar_metrics();
+
 /// A pixel with a component that is not finite, on either side, enters none of them (the comparison counts
 /// it).
 struct Metrics {
@@ -25,14 +35,15 @@ struct Metrics {
   std::array<double, permilles.size()> percentiles{};
   std::vector<double> bias;  ///< per channel, the mean of test - reference
   // Costly ones; nothing unless asked for, and when a pixel is not finite.
-  std::optional<double> ssim;  ///< references/comparison/metrics/ssim.hpp
-  std::optional<Flip> flip;    ///< references/comparison/metrics/flip.hpp
+  std::vector<std::optional<double>> scalars =
+      std::vector<std::optional<double>>(scalar_metrics().size());  ///< by scalar_metrics()
+  std::optional<Flip> flip;  ///< references/comparison/metrics/flip.hpp
 };
 
-/// All but SSIM and FLIP. Pictures of one size and channel count.
+/// All but the costly ones. Pictures of one size and channel count.
 Metrics cheap_metrics(const PictureView& reference, const PictureView& test);
 
-/// All. SSIM takes `peak` for its dynamic range.
+/// All. Those that are one number take `peak` for their dynamic range.
 Metrics all_metrics(const PictureView& reference, const PictureView& test, ColourSpace space);
 
 }  // namespace plumb::references
