@@ -339,8 +339,7 @@ references::Budget budget_of(const Loaded& loaded, const Image& reference,
 }
 
 /// How many of the places that are over are explained.
-std::size_t explained(const Loaded& loaded, const Image& reference,
-                      const std::vector<PixelPlace>& places) {
+std::size_t explained(const Loaded& loaded, const Image& reference, const std::vector<PixelPlace>& places) {
   return budget_of(loaded, reference, places).explained();
 }
 

@@ -11,9 +11,9 @@
 namespace plumb::gate_power {
 namespace {
 
+using PixelPlace;
 using references::Budget;
 using references::Cause;
-using PixelPlace;
 
 constexpr double tolerance =
     1e-6;  // what POV-Ray's float32 pixels allow; see RESULTS.md, "How agreement is judged"
