@@ -57,6 +57,8 @@ void CompareReport::add(const std::string& name, Findings&& findings, const Json
   if (!said.empty()) entry.result["message"] = said;
   entry.tolerance = findings.bounds.limit;
   entry.mask = findings.result.mask;
+  entry.reference_is_encoded = findings.reference.sample == Sample::bits8;
+  entry.test_is_encoded = findings.test.sample == Sample::bits8;
   entry.reference = shown(std::move(findings.reference));
   entry.test = shown(std::move(findings.test));
   writer_.add(entry);

@@ -8,7 +8,7 @@
 #include "references/cli/progress.hpp"
 #include "references/cli/report.hpp"
 #include "references/faults/fault.hpp"
-#include "references/report/own_page.hpp"
+#include "references/report/html/own_page.hpp"
 #include "references/teaching/document.hpp"
 #include "references/teaching/pages.hpp"
 #include "tracer/system/files.hpp"

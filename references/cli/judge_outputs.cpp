@@ -10,7 +10,7 @@
 
 #include "references/cli/options.hpp"
 #include "references/cli/report.hpp"
-#include "references/report/own_page.hpp"
+#include "references/report/html/own_page.hpp"
 #include "references/submissions/shown_text.hpp"
 #include "tracer/system/files.hpp"
 

@@ -26,7 +26,9 @@ struct ReportEntry {
   /// The scene's object of --json; any key may be absent. "not_compared" says why there are no figures.
   nlohmann::ordered_json result;
   std::shared_ptr<const Image> reference, test;  ///< of one size; both null for a scene in trouble
-  std::vector<PixelNote> notes;                  ///< pixels over the tolerance
+  /// Whether its values are what a screen shows, as files of 8 bits have them; else they are linear.
+  bool reference_is_encoded = false, test_is_encoded = false;
+  std::vector<PixelNote> notes;    ///< pixels over the tolerance
   std::optional<Limit> tolerance;  ///< marks every pixel over it "over"; for pictures without notes
   PixelMask mask;                  ///< marks every pixel that does not count "ignored"
   std::string explain_command;     ///< " X Y" is added, e.g. "plumb explain scene.sdf"; may be empty

@@ -7,11 +7,12 @@
 #include <utility>
 
 #include "references/attribution/causes.hpp"
-#include "references/report/escape.hpp"
-#include "references/report/own_page.hpp"
-#include "references/report/packing.hpp"
+#include "references/report/conclusion.hpp"
+#include "references/report/html/own_page.hpp"
+#include "references/report/html/packing.hpp"
 #include "references/report/page.hpp"
 #include "references/report/picture.hpp"
+#include "references/report/script_json.hpp"
 #include "references/report/thumbnail.hpp"
 #include "references/system/digest.hpp"
 #include "tracer/system/files.hpp"
@@ -46,13 +47,15 @@ std::string data_url(const std::string& png) { return "data:image/png;base64," +
 Json json_of(const ReportEntry& entry) {
   Json json{{"name", entry.name},
             {"result", entry.result},
+            {"conclusion", conclusion_of(entry.result)},
             {"causes", causes_of(entry)},
             {"explain", entry.explain_command},
             {"approve", entry.approve_command}};
   if (!entry.reference || !entry.test) return json;
   json["width"] = entry.test->width;
   json["height"] = entry.test->height;
-  json["thumbnail"] = data_url(thumbnail(*entry.test));
+  json["thumbnail"] = data_url(thumbnail(*entry.test, entry.test_is_encoded));
+  json["encoded"] = {{"reference", entry.reference_is_encoded}, {"test", entry.test_is_encoded}};
   json["error_thumbnail"] = data_url(error_thumbnail(*entry.reference, *entry.test));
   return json;
 }
@@ -107,8 +110,13 @@ void ReportWriter::move_beside(Picture& picture) const {
 }
 
 std::string ReportWriter::blocks() const {
-  const Json report{{"title", title_},          {"subtitle", subtitle_},    {"version", PLUMB_VERSION},
-                    {"side_files", is_beside_}, {"causes", known_causes()}, {"scenes", scenes_}};
+  const Json report{{"title", title_},
+                    {"subtitle", subtitle_},
+                    {"version", PLUMB_VERSION},
+                    {"side_files", is_beside_},
+                    {"conclusion", conclusion_of_all(scenes_)},
+                    {"causes", known_causes()},
+                    {"scenes", scenes_}};
   std::string html =
       "<script type=\"application/json\" id=\"report-data\">" + script_json(report) + "</script>\n";
   for (const Picture& picture : pictures_) {
@@ -120,7 +128,8 @@ std::string ReportWriter::blocks() const {
 
 void ReportWriter::finish() {
   const std::lock_guard lock(mutex_);
-  write_file(directory_ + "/index.html", assembled_page(title_, blocks(), is_beside_));
+  write_file(directory_ + "/index.html",
+             assembled_page(title_, conclusion_of_all(scenes_), blocks(), is_beside_));
   remove_old_pictures();
 }
 

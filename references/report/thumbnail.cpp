@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "references/report/packing.hpp"
+#include "references/report/html/packing.hpp"
 #include "tracer/image/encode.hpp"
 
 namespace plumb::references {
@@ -66,10 +66,12 @@ unsigned char grey_of(double error) {
 
 }  // namespace
 
-std::string thumbnail(const Image& image) {
+std::string thumbnail(const Image& image, bool is_encoded) {
   return small_png(image, 3, [&](Range columns, Range rows, std::vector<unsigned char>& samples) {
     for (std::size_t channel = 0; channel < 3; ++channel) {
-      samples.push_back(srgb_8_bits(mean(image, channel, columns, rows)));
+      const float level = mean(image, channel, columns, rows);
+      samples.push_back(is_encoded ? static_cast<unsigned char>(std::lround(255 * level))
+                                   : srgb_8_bits(level));
     }
   });
 }

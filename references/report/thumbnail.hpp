@@ -7,8 +7,9 @@
 
 namespace plumb::references {
 
-/// A PNG of at most 144 pixels a side: the mean of what each of its pixels covers, sRGB, clamped.
-std::string thumbnail(const Image& image);
+/// A PNG of at most 144 pixels a side: the mean of what each of its pixels covers, sRGB, clamped. Values that
+/// are encoded already, as a screen shows them, get no curve once more.
+std::string thumbnail(const Image& image, bool is_encoded = false);
 
 /// A grey PNG of the same size: the largest error, relative above 1, that each of its pixels covers; 0 is
 /// 1e-8 or less, 255 is 1 or more or not finite, logarithmic between.

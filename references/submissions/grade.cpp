@@ -65,11 +65,8 @@ std::optional<ImageFile> read_picture(const std::string& file, const JudgedScene
   return std::nullopt;
 }
 
-std::string figures_of(const Image& ours, const ImageFile& theirs, const OutputEncoding& encoding) {
-  const teaching::Picture right = teaching::picture_of(ours, encoding);
-  const teaching::Picture seen = teaching::picture_of(theirs);
-  return teaching::figure(right, "right") + teaching::figure(seen, "handed in") +
-         teaching::figure(teaching::difference_of(right, seen), "where they differ, 4 times as bright");
+html::ThreePictures pictures_of(const Image& ours, const ImageFile& theirs, const OutputEncoding& encoding) {
+  return teaching::three_pictures(teaching::picture_of(ours, encoding), teaching::picture_of(theirs));
 }
 
 Judged verdict_of(PictureVerdict verdict) {
@@ -86,9 +83,11 @@ Judged verdict_of(PictureVerdict verdict) {
   return Judged::unexplained;
 }
 
-/// The picture as far as it is judged by its file; the HTML of the pictures, when they are kept.
-std::string judge_picture(const std::string& file, const JudgedScene& scene, const JudgeOptions& options,
-                          JudgedPicture& result) {
+using Pictures = std::optional<html::ThreePictures>;
+
+/// The picture as far as it is judged by its file; what was seen, when it is kept.
+Pictures judge_picture(const std::string& file, const JudgedScene& scene, const JudgeOptions& options,
+                       JudgedPicture& result) {
   const std::optional<ImageFile> seen = read_picture(file, scene, result);
   if (!seen) return {};
   const RenderRequest& asked = scene.scene.renders.front();
@@ -104,12 +103,12 @@ std::string judge_picture(const std::string& file, const JudgedScene& scene, con
   const std::string summary = summary_of(*result.diagnosis);
   result.message = summary + (summary.empty() || left.empty() ? "" : "; ") + left;
   if (!options.keeps_pictures) return {};
-  return figures_of(render(OwnTracer::engine, scene.scene, camera, job), *seen, result.diagnosis->encoding);
+  return pictures_of(render(OwnTracer::engine, scene.scene, camera, job), *seen, result.diagnosis->encoding);
 }
 
-/// The HTML of the pictures, when they are kept.
-std::string judge_one(const Submission& submission, const JudgedScene& scene, const JudgeOptions& options,
-                      JudgedPicture& result) {
+/// What was seen, when it is kept.
+Pictures judge_one(const Submission& submission, const JudgedScene& scene, const JudgeOptions& options,
+                   JudgedPicture& result) {
   if (std::filesystem::is_symlink(submission.path))
     throw std::runtime_error(submission.path +
                              ": found a link, which may lead to what is not the submission's, expected a "
@@ -118,7 +117,7 @@ std::string judge_one(const Submission& submission, const JudgedScene& scene, co
   const std::string file = options.command.empty()
                                ? picture_handed_in(submission, scene, options, own.path(), result)
                                : picture_of_run(submission, scene, options, own.path(), result);
-  return file.empty() ? std::string() : judge_picture(file, scene, options, result);
+  return file.empty() ? Pictures() : judge_picture(file, scene, options, result);
 }
 
 void set_trouble(JudgedPicture& result, const std::string& what) {
@@ -168,12 +167,12 @@ class Class {
   void judge(std::size_t i) {
     JudgedPicture result = unjudged(i);
     result.message.clear();
-    std::string figures;
+    Pictures pictures;
     std::string key;
     try {
       if (options_.journal != nullptr) key = keys_.of(submission(i), scene(i));
       if (take_kept(key, result)) return finish(i, std::move(result));
-      figures = judge_one(submission(i), scene(i), options_, result);
+      pictures = judge_one(submission(i), scene(i), options_, result);
     } catch (const std::bad_alloc&) {
       set_trouble(result, "memory ran out");
     } catch (const std::exception& error) {
@@ -184,7 +183,7 @@ class Class {
     if (was_interrupted(result)) return;
     result.message = shown_text(result.message);
     result.printed = shown_text(result.printed);
-    keep(key, result, figures);
+    keep(key, result, pictures);
     finish(i, std::move(result));
   }
 
@@ -206,10 +205,10 @@ class Class {
   }
 
   /// Trouble is not kept: the next run tries again.
-  void keep(const std::string& key, JudgedPicture& result, const std::string& figures) {
+  void keep(const std::string& key, JudgedPicture& result, const Pictures& pictures) {
     if (options_.journal == nullptr || result.verdict == Judged::trouble) return;
     try {
-      options_.journal->keep(key, result, figures);
+      options_.journal->keep(key, result, pictures);
     } catch (const std::exception& error) {
       const std::scoped_lock lock(mutex_);
       if (!std::exchange(has_complained_, true) && options_.complain)

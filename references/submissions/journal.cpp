@@ -105,9 +105,10 @@ std::optional<JudgedPicture> Journal::find(const std::string& key) const {
   }
 }
 
-void Journal::keep(const std::string& key, JudgedPicture& picture, const std::string& figures) {
+void Journal::keep(const std::string& key, JudgedPicture& picture,
+                   const std::optional<html::ThreePictures>& pictures) {
   Json json{{"key", key}, {"picture", record_of(picture)}};
-  if (!figures.empty()) json["figures"] = figures;
+  if (pictures) json["pictures"] = {pictures->right, pictures->yours, pictures->difference};
   const std::string line = json_text_of_any_bytes(json);
   const std::scoped_lock lock(mutex_);
   const KeptLine kept{size_, line.size()};
@@ -115,10 +116,13 @@ void Journal::keep(const std::string& key, JudgedPicture& picture, const std::st
   lines_[key] = picture.kept = kept;
 }
 
-std::string Journal::figures_of(const JudgedPicture& picture) const {
-  if (picture.kept.size == 0) return {};
+std::optional<html::ThreePictures> Journal::pictures_of(const JudgedPicture& picture) const {
+  if (picture.kept.size == 0) return std::nullopt;
   const std::scoped_lock lock(mutex_);
-  return parse_ordered_json(line_at(picture.kept)).value("figures", std::string());
+  const Json line = parse_ordered_json(line_at(picture.kept));
+  if (!line.contains("pictures")) return std::nullopt;
+  const Json& three = line.at("pictures");
+  return html::ThreePictures{three.at(0), three.at(1), three.at(2)};
 }
 
 void Journal::remove() {

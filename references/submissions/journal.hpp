@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "references/report/html/document.hpp"
 #include "references/submissions/grade.hpp"
 #include "tracer/system/descriptor.hpp"
 
@@ -27,12 +28,13 @@ class Journal {
   /// The result of that key, or nothing.
   std::optional<JudgedPicture> find(const std::string& key) const;
 
-  /// Appends the result and `figures`, the HTML of its pictures, and sets picture.kept. Throws
+  /// Appends the result and its pictures, where there are any, and sets picture.kept. Throws
   /// std::runtime_error; then the file is as it was.
-  void keep(const std::string& key, JudgedPicture& picture, const std::string& figures);
+  void keep(const std::string& key, JudgedPicture& picture,
+            const std::optional<html::ThreePictures>& pictures);
 
-  /// HTML of the pictures of a result that find() or keep() has seen; empty when none was kept.
-  std::string figures_of(const JudgedPicture& picture) const;
+  /// The pictures of a result that find() or keep() has seen; nothing when none were kept.
+  std::optional<html::ThreePictures> pictures_of(const JudgedPicture& picture) const;
 
   /// Removes the file: all is done.
   void remove();

@@ -5,8 +5,8 @@
 #include <map>
 #include <set>
 
-#include "references/report/escape.hpp"
-#include "references/report/own_page.hpp"
+#include "references/report/html/escape.hpp"
+#include "references/report/html/own_page.hpp"
 #include "references/submissions/overview.hpp"
 #include "references/teaching/pages.hpp"
 #include "tracer/system/files.hpp"
@@ -15,147 +15,157 @@
 namespace plumb::references {
 namespace {
 
-/// Colour-blind safe (Okabe and Ito, 2008), and each verdict is written out, too.
-constexpr const char* style = R"(
-body{max-width:1500px}table{border-collapse:collapse;margin:1rem 0}
-th,td{padding:.25rem .55rem;text-align:left;font-weight:normal;vertical-align:top}
-thead th{position:sticky;top:0;background:var(--raised)}tbody th{background:var(--raised);white-space:nowrap}
-td,.tag{color:#1c1c1c}td a{color:inherit;text-decoration:none;display:block}td a:hover{text-decoration:underline}
-td small{display:block;opacity:.85;max-width:22rem}.tag{padding:.1rem .5rem;border-radius:.25rem}
-.right{background:#bfe8d6}.faults{background:#ffe3a3}.unexplained{background:#f3c9df}
-.wrong-size,.no-image,.unreadable{background:#d6e4f5}
-.trouble,.not-judged{background:#dcdcdc}
-.crashed,.timed-out,.too-much-cpu,.too-much-memory,.too-many-processes,.too-much-output{background:#f0b9a0}
-.pictures{max-width:64rem}pre{background:var(--raised);padding:.6rem;overflow:auto;max-height:14rem;white-space:pre-wrap}
-)";
-
 /// Beside the pages of submissions: what was found in any, each with its formulas and a pair of pictures.
 constexpr const char* lessons_page = "faults.html";
 
-std::string definition(std::string_view term, std::string_view text) {
-  return "<dt>" + html_escaped(term) + "</dt><dd>" + html_escaped(text) + "</dd>\n";
+std::string lesson_link(const Fault& fault) {
+  return html::link(std::string(lessons_page) + "#" + std::string(fault.id), fault.id);
 }
 
-std::string lesson_link(const Fault& fault) {
-  const std::string id = html_escaped(fault.id);
-  return "<a href=\"" + std::string(lessons_page) + "#" + id + "\">" + id + "</a>";
+std::string confidence_text(double confidence) {
+  std::array<char, 16> text{};
+  std::snprintf(text.data(), text.size(), "%.2f", confidence);
+  return text.data();
 }
 
 std::string fault_text(const FoundFault& found, HintLevel hint) {
   const Fault& fault = *found.fault;
-  std::string text = "<dl>\n" + definition("slide", fault.slide);
-  if (hint >= 2) text += definition("mistake", fault.explanation);
+  std::vector<html::Definition> all{{"slide", html_escaped(fault.slide)}};
+  if (hint >= 2) all.emplace_back("mistake", html_escaped(fault.explanation));
   if (hint < 3 && !found.alike.empty())
-    text +=
-        definition("or", "one of " + std::to_string(found.alike.size()) + " others: the same picture here");
+    all.emplace_back("or", "one of " + std::to_string(found.alike.size()) + " others: the same picture here");
   if (hint >= 3) {
-    text += definition("found", fault.wrong) + definition("right", fault.right);
-    text += "<dt>lesson</dt><dd>" + lesson_link(fault) + "</dd>\n";
+    all.emplace_back("right", html::element("code", "right", html_escaped(fault.right)));
+    all.emplace_back("yours", html::element("code", "yours", html_escaped(fault.wrong)));
+    all.emplace_back("lesson", lesson_link(fault));
     for (const Fault* other : found.alike)
-      text += "<dt>or</dt><dd>" + lesson_link(*other) + ": the same picture here</dd>\n";
+      all.emplace_back("or", lesson_link(*other) + ": the same picture here");
   }
-  std::array<char, 16> confidence{};
-  std::snprintf(confidence.data(), confidence.size(), "%.2f", found.confidence);
-  return text + definition("pixels", std::to_string(found.pixels)) +
-         definition("confidence", confidence.data()) + "</dl>\n";
+  all.emplace_back("pixels", std::to_string(found.pixels));
+  all.emplace_back("confidence", confidence_text(found.confidence));
+  return html::definitions(all);
 }
 
-std::string tag(Judged verdict) {
-  const std::string name = to_string(verdict);
-  return "<span class=\"tag " + name + "\">" + name + "</span>";
-}
+std::string class_of(Judged verdict) { return std::string("badge verdict-") + to_string(verdict); }
+
+std::string tag(Judged verdict) { return html::element("span", class_of(verdict), to_string(verdict)); }
 
 /// A page is worth having without its pictures.
 std::string figures_of(const JudgedPicture& picture, const Journal* journal) {
   try {
-    return journal == nullptr ? std::string() : journal->figures_of(picture);
+    const auto pictures = journal == nullptr ? std::nullopt : journal->pictures_of(picture);
+    return pictures ? html::figures(*pictures, picture.scene) : "";
   } catch (const std::exception& error) {
-    return "<p>The pictures are lost: " + html_escaped(error.what()) + "</p>";
+    return html::paragraph(std::string("The pictures are lost: ") + error.what());
   }
 }
 
-std::string section(const JudgedPicture& picture, HintLevel hint, const Journal* journal) {
-  std::string text = "<h2 id=\"" + html_escaped(picture.scene) + "\">" + html_escaped(picture.scene) + " " +
-                     tag(picture.verdict) + "</h2>\n";
-  if (!picture.message.empty()) text += "<p>" + html_escaped(picture.message) + "</p>\n";
-  if (picture.diagnosis) {
-    text += "<p>" + html_escaped(picture.diagnosis->encoding.in_words()) + "; " +
-            std::to_string(picture.diagnosis->pixels_over) + " of " +
-            std::to_string(picture.diagnosis->pixels) + " pixels remain unexplained</p>\n";
-    if (picture.verdict == Judged::faults) {
-      for (const FoundFault& found : picture.diagnosis->faults) text += fault_text(found, hint);
-    }
-  }
-  const std::string figures = figures_of(picture, journal);
-  if (!figures.empty()) text += "<div class=pictures>" + figures + "</div>\n";
-  if (!picture.printed.empty()) text += "<pre>" + html_escaped(picture.printed) + "</pre>\n";
+std::string diagnosis_text(const JudgedPicture& picture, HintLevel hint) {
+  const Diagnosis& found = *picture.diagnosis;
+  std::string text = html::paragraph(found.encoding.in_words() + "; " + std::to_string(found.pixels_over) +
+                                     " of " + std::to_string(found.pixels) + " pixels remain unexplained");
+  if (picture.verdict != Judged::faults) return text;
+  for (const FoundFault& fault : found.faults) text += fault_text(fault, hint);
   return text;
 }
 
+std::string section(const JudgedPicture& picture, HintLevel hint, const Journal* journal) {
+  std::string text = "<section id=\"" + html_escaped(picture.scene) + "\">" +
+                     html::element("h2", "", html_escaped(picture.scene) + " " + tag(picture.verdict)) + "\n";
+  if (!picture.message.empty()) text += html::paragraph(picture.message);
+  if (picture.diagnosis) text += diagnosis_text(picture, hint);
+  text += figures_of(picture, journal);
+  if (!picture.printed.empty()) text += html::element("pre", "", html_escaped(picture.printed)) + "\n";
+  return text + "</section>\n";
+}
+
 std::string cell(const JudgedPicture& picture, const std::string& file, HintLevel hint) {
-  const std::string verdict = to_string(picture.verdict);
   std::string names;
   if (picture.diagnosis && picture.verdict == Judged::faults) {
-    for (const FoundFault& found : picture.diagnosis->faults)
-      names +=
-          "<small>" + html_escaped(hint >= 3 ? std::string(found.fault->id) : named(*found.fault, hint)) +
-          (found.alike.empty() ? "" : " or " + std::to_string(found.alike.size()) + " alike") + "</small>";
+    for (const FoundFault& found : picture.diagnosis->faults) {
+      const std::string name = hint >= 3 ? std::string(found.fault->id) : named(*found.fault, hint);
+      const std::string alike =
+          found.alike.empty() ? "" : " or " + std::to_string(found.alike.size()) + " alike";
+      names += html::element("small", "", html_escaped(name + alike));
+    }
   }
-  return "<td class=\"" + verdict + "\"><a href=\"" + file + "#" + html_escaped(picture.scene) + "\">" +
-         verdict + "</a>" + names + "</td>";
+  return html::element("td", "",
+                       "<a class=\"" + class_of(picture.verdict) + "\" href=\"" + file + "#" +
+                           html_escaped(picture.scene) + "\">" + to_string(picture.verdict) + "</a>" + names);
 }
 
 std::string summary(const std::vector<JudgedPicture>& all) {
   std::map<Judged, std::size_t> counts;
   for (const JudgedPicture& picture : all) ++counts[picture.verdict];
-  std::string text = "<p>";
-  for (const auto& [verdict, count] : counts) text += tag(verdict) + " " + std::to_string(count) + " &ensp; ";
-  text += "</p>\n";
+  std::string tags;
+  for (const auto& [verdict, count] : counts)
+    tags += html::element("span", "group", tag(verdict) + " " + std::to_string(count));
+  std::string text = html::element("div", "group", tags) + "\n";
   if (const std::size_t done = judged_count(all); done != all.size())
-    text += "<p>The run was interrupted: " + std::to_string(all.size() - done) + " of " +
-            std::to_string(all.size()) + " pictures were not judged. The same command goes on.</p>\n";
+    text +=
+        html::paragraph("The run was interrupted: " + std::to_string(all.size() - done) + " of " +
+                        std::to_string(all.size()) + " pictures were not judged. The same command goes on.");
   return text;
 }
 
 std::string shuffle_text(const RunFacts& facts) {
   if (!facts.seed) return {};
-  std::string text = "<p>The scenes are varied: --shuffle " + std::to_string(*facts.seed) +
+  std::string text = "The scenes are varied: --shuffle " + std::to_string(*facts.seed) +
                      "; they are in the report's directory scenes.";
   if (!facts.unvaried.empty()) text += " Judged as they are, for no variation shows the same faults:";
-  for (const std::string& name : facts.unvaried) text += " " + html_escaped(name);
-  return text + "</p>\n";
+  for (const std::string& name : facts.unvaried) text += " " + name;
+  return html::paragraph(text);
 }
 
 std::string limits_text(const RunFacts& facts) {
-  return facts.not_enforced.empty() ? "" : "<p>Limits: " + html_escaped(facts.not_enforced) + ".</p>\n";
+  return facts.not_enforced.empty() ? "" : html::paragraph("Limits: " + facts.not_enforced + ".");
 }
 
 std::string not_judged_text(const RunFacts& facts) {
   if (facts.of_no_scene.empty()) return {};
-  std::string text = "<p>Pictures that are not judged, for they are of no scene or lie beside submissions:";
-  for (const std::string& name : facts.of_no_scene) text += " " + html_escaped(name);
-  return text + "</p>\n";
+  std::string text = "Pictures that are not judged, for they are of no scene or lie beside submissions:";
+  for (const std::string& name : facts.of_no_scene) text += " " + name;
+  return html::paragraph(text);
 }
 
 /// All faults of which a page names one, in the catalogue's order.
-std::string lessons(const std::vector<JudgedPicture>& all) {
-  std::set<const Fault*> found;
+std::vector<const Fault*> faults_found(const std::vector<JudgedPicture>& all) {
+  std::set<const Fault*> named;
   for (const JudgedPicture& picture : all) {
     if (!picture.diagnosis || picture.verdict != Judged::faults) continue;
     for (const FoundFault& one : picture.diagnosis->faults) {
-      found.insert(one.fault);
-      found.insert(one.alike.begin(), one.alike.end());
+      named.insert(one.fault);
+      named.insert(one.alike.begin(), one.alike.end());
     }
   }
-  std::string text;
+  std::vector<const Fault*> found;
   for (const Fault& fault : fault_catalogue()) {
-    if (found.contains(&fault)) text += teaching::section_of(fault, data_directory(Data::scenes));
+    if (named.contains(&fault)) found.push_back(&fault);
   }
-  return text;
+  return found;
 }
 
 /// Numbered, so that no name of a submission becomes one of a file.
 std::string page_name(std::size_t number) { return "submission-" + std::to_string(number + 1) + ".html"; }
+
+/// Of these pictures, in one sentence.
+std::string conclusion_of(const JudgedPicture* begin, const JudgedPicture* end) {
+  const auto count = [&](Judged verdict) {
+    return static_cast<std::size_t>(
+        std::count_if(begin, end, [&](const JudgedPicture& p) { return p.verdict == verdict; }));
+  };
+  const auto all = static_cast<std::size_t>(end - begin);
+  const std::size_t right = count(Judged::right), faults = count(Judged::faults);
+  std::string text =
+      right == all
+          ? (all == 1 ? "The picture is right" : "All " + std::to_string(all) + " pictures are right")
+          : std::to_string(right) + " of " + std::to_string(all) + " pictures are right";
+  if (faults > 0) text += "; known mistakes explain " + std::to_string(faults);
+  if (const std::size_t others = all - right - faults; others > 0)
+    text += "; " + std::to_string(others) +
+            (others == 1 ? " is wrong otherwise or missing" : " are wrong otherwise or missing");
+  return text + ".";
+}
 
 /// One submission: its row in the table and its page.
 struct Row {
@@ -182,39 +192,46 @@ std::vector<Row> rows_of(const std::vector<JudgedPicture>& all) {
 }
 
 std::string table_row(const Row& row, HintLevel hint) {
-  std::string text = "<tr><th><a href=\"" + row.file + "\">" + html_escaped(row.begin->submission) +
-                     "</a><br><small>" + row.score() + "</small></th>";
+  std::string text = "<tr><th scope=\"row\">" + html::link(row.file, row.begin->submission) +
+                     html::element("small", "", row.score()) + "</th>";
   for (const JudgedPicture* at = row.begin; at != row.end; ++at) text += cell(*at, row.file, hint);
   return text + "</tr>\n";
 }
 
+std::string link_to_all() { return html::link("index.html", "← All submissions"); }
+
 std::string page_of(const Row& row, HintLevel hint, const RunFacts& facts) {
-  std::string body =
-      "<p><a href=\"index.html\">all submissions</a></p><p>" + row.score() + "</p>\n" + shuffle_text(facts);
+  std::string body = shuffle_text(facts);
   for (const JudgedPicture* at = row.begin; at != row.end; ++at) body += section(*at, hint, facts.journal);
-  return teaching::page(row.begin->submission, body, style);
+  return html::page({row.begin->submission, conclusion_of(row.begin, row.end), body, link_to_all()});
 }
 
 std::string table_of(const std::vector<Row>& rows, HintLevel hint) {
-  std::string text = "<table><thead><tr><th>submission</th>";
+  std::vector<std::string> head{"submission"};
   if (!rows.empty()) {
     for (const JudgedPicture* at = rows.front().begin; at != rows.front().end; ++at)
-      text += "<th>" + html_escaped(at->scene) + "</th>";
+      head.push_back(html_escaped(at->scene));
   }
-  text += "</tr></thead><tbody>\n";
+  std::string text;
   for (const Row& row : rows) text += table_row(row, hint);
-  return text + "</tbody></table>\n";
+  return html::table("Verdicts, a row a submission, a column a scene", head, text);
 }
 
 /// Lessons show formulas, which are told at the last level alone: an earlier run's are taken away.
 void write_lessons(const std::filesystem::path& file, const std::vector<JudgedPicture>& all, HintLevel hint) {
-  const std::string text = hint >= 3 ? lessons(all) : "";
-  if (text.empty()) {
+  const std::vector<const Fault*> found = hint >= 3 ? faults_found(all) : std::vector<const Fault*>();
+  if (found.empty()) {
     std::filesystem::remove(file);
     return;
   }
-  write_file(file,
-             teaching::page("What was found", "<p><a href=\"index.html\">all submissions</a></p>\n" + text));
+  std::string text;
+  for (const Fault* fault : found) text += teaching::section_of(*fault, data_directory(Data::scenes));
+  const std::string count = std::to_string(found.size());
+  write_file(file, html::page({"What was found",
+                               found.size() == 1
+                                   ? "1 known mistake may explain these pictures; here it is."
+                                   : count + " known mistakes may explain these pictures; here they are.",
+                               text, link_to_all()}));
 }
 
 }  // namespace
@@ -229,10 +246,11 @@ void write_overview(const std::string& directory, const std::vector<JudgedPictur
   for (const Row& row : rows) refuse_to_replace_others((folder / row.file).string());
   for (const Row& row : rows) write_file(folder / row.file, page_of(row, hint, facts));
   write_lessons(folder / lessons_page, all, hint);
-  write_file(folder / "index.html", teaching::page("Tracers judged by plumb",
-                                                   summary(all) + shuffle_text(facts) + limits_text(facts) +
-                                                       not_judged_text(facts) + table_of(rows, hint),
-                                                   style));
+  const std::string body =
+      summary(all) + shuffle_text(facts) + limits_text(facts) + not_judged_text(facts) + table_of(rows, hint);
+  write_file(
+      folder / "index.html",
+      html::page({"Tracers judged by plumb", conclusion_of(all.data(), all.data() + all.size()), body, ""}));
 }
 
 }  // namespace plumb::references

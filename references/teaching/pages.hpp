@@ -8,6 +8,7 @@
 
 #include "references/diagnosis/output_encoding.hpp"
 #include "references/faults/fault.hpp"
+#include "references/report/html/document.hpp"
 #include "tracer/image/image_file.hpp"
 
 namespace plumb::references::teaching {
@@ -28,15 +29,11 @@ Picture picture_of(const ImageFile& image);
 /// As a tracer with that encoding would have written it; floats are clamped.
 Picture picture_of(const Image& image, const OutputEncoding& encoding);
 
-/// Where two pictures of one size differ: black where they agree, white from 64 levels on.
+/// Where two pictures of one size differ: black where they agree, brighter by html::difference_gain.
 Picture difference_of(const Picture& a, const Picture& b);
 
-/// <figure> with the picture inside it, as a data URI.
-std::string figure(const Picture& picture, std::string_view caption);
-
-/// A whole page that needs no other file, and in which nothing runs, whatever a name holds; `body` is HTML,
-/// `more_style` CSS of its own.
-std::string page(std::string_view title, const std::string& body, std::string_view more_style = "");
+/// The two of one size, and difference_of them, as the pages show them.
+html::ThreePictures three_pictures(const Picture& right, const Picture& yours);
 
 /// <section id=FAULT>: what is wrong, both formulas, how common it is, and the fault's own scene rendered
 /// right and wrong. `remark` is HTML that follows the sentence. Throws std::runtime_error when the scene is

@@ -15,6 +15,31 @@ RED_GREEN = "scenes/red-green.sdf"
 VALUES = "scenes/values.sdf"
 SAME = "scenes/same.sdf"
 
+# Every visible text with its contrast, WCAG 2.1, on the first ground below it that is not transparent.
+CONTRASTS = """
+const channel = (c) => { c /= 255; return c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4; };
+const parts = (colour) => colour.match(/[\\d.]+/g).map(Number);
+const light = (colour) => { const [r, g, b] = parts(colour).map(channel); return 0.2126 * r + 0.7152 * g + 0.0722 * b; };
+const ground = (node) => {
+  for (; node; node = node.parentElement) {
+    const colour = getComputedStyle(node).backgroundColor;
+    const alpha = parts(colour)[3] ?? 1;
+    if (alpha === 1) return colour;
+    if (alpha !== 0) throw new Error('a ground that is half transparent: ' + node.className);
+  }
+  return getComputedStyle(document.documentElement).backgroundColor;
+};
+const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+const found = [];
+while (walker.nextNode()) {
+  const node = walker.currentNode.parentElement;
+  if (!walker.currentNode.textContent.trim() || !node.checkVisibility({checkVisibilityCSS: true}) || node.closest('script, style, .skip')) continue;
+  const [a, b] = [light(getComputedStyle(node).color), light(ground(node))];
+  found.push([(Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05), node.className + ': ' + walker.currentNode.textContent]);
+}
+return found;
+"""
+
 
 def new_browser():
     options = webdriver.ChromeOptions()
@@ -80,6 +105,11 @@ class ReportTest(unittest.TestCase):
 
     def press(self, *keys):
         ActionChains(self.browser).send_keys(*keys).perform()
+
+    def assert_readable(self, least_texts):
+        found = self.script(CONTRASTS)
+        self.assertGreater(len(found), least_texts, "the test sees too few texts to mean anything")
+        self.assertEqual([], [(round(contrast, 2), text) for contrast, text in found if contrast < 4.5])
 
     def button(self, label):
         return next(each for each in self.all("button") if each.text == label and each.is_displayed())

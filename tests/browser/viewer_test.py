@@ -144,8 +144,16 @@ class OneScene(ReportTest):
 
     def test_the_only_scene_is_shown_at_once(self):
         self.wait_for_scene(RED_GREEN)
-        self.find(".back").click()
-        self.wait(lambda: len(self.all(".scenes tbody tr")) == 1)
+        self.assertEqual(RED_GREEN, self.text("h1"))
+
+    def test_of_one_scene_there_is_no_overview(self):
+        for fragment in ("", "#scene=another"):
+            self.open(fragment)
+            self.wait_for_scene(RED_GREEN)
+            self.assertNotIn("Overview", self.text("#app"))
+            self.assertEqual([], self.all(".steps, .scenes"))
+        self.press("o", "j")
+        self.wait_for_scene(RED_GREEN)
 
 
 if __name__ == "__main__":

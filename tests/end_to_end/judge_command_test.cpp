@@ -269,7 +269,7 @@ TEST_F(JudgeCommand, TheReportLinksTheLessonOfEachFault) {
   ASSERT_EQ(told.exit_code, 1) << told.err;
   EXPECT_TRUE(contains(read_file(workplace_.path("report/submission-1.html")),
                        "<a href=\"faults.html#ka-kd-swapped\">"));
-  EXPECT_TRUE(contains(read_file(workplace_.path("report/faults.html")), "<section id=ka-kd-swapped>"));
+  EXPECT_TRUE(contains(read_file(workplace_.path("report/faults.html")), "<section id=\"ka-kd-swapped\">"));
   const Json picture = Json::parse(told.out)["pictures"][0];
   EXPECT_EQ(picture["faults"][0]["id"], "ka-kd-swapped");
   EXPECT_EQ(

@@ -76,8 +76,8 @@ TEST_F(Stability, ThePageShowsEachFailure) {
                                     workplace_.directory());
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const std::string page = read_file(workplace_.path("page/stability.html"));
-  EXPECT_TRUE(contains(page, "alt='as rendered'")) << page.substr(0, 2000);
-  EXPECT_TRUE(contains(page, "the object&#39;s own space") || contains(page, "the object's own space"));
+  EXPECT_TRUE(contains(page, "<img alt=\"difference of lecture at ")) << page.substr(0, 2000);
+  EXPECT_TRUE(contains(page, "the object&#39;s own space"));
 }
 
 TEST_F(Stability, AnUnknownConditionIsNamed) {

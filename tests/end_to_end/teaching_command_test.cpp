@@ -37,8 +37,8 @@ TEST_F(TeachingCommand, ThePageOfTheFaultsHasAPairOfPicturesForEach) {
   EXPECT_EQ(pictures, 3 * faults.size());
   for (const Json& fault : faults) {
     const std::string id = fault["id"];
-    EXPECT_TRUE(contains(page, "<section id=" + id + ">")) << id;
-    EXPECT_TRUE(contains(page, "<a href='#" + id + "'>")) << id;
+    EXPECT_TRUE(contains(page, "<section id=\"" + id + "\">")) << id;
+    EXPECT_TRUE(contains(page, "<a href=\"#" + id + "\">")) << id;
   }
   EXPECT_FALSE(contains(page, "://")) << "the page needs no other file";
 }
@@ -76,7 +76,7 @@ TEST_F(TeachingCommand, ADiagnosisHasAPageThatTellsAsMuchAsTheHint) {
   EXPECT_FALSE(contains(slide, "instead of its centre"));
   EXPECT_TRUE(contains(mistake, "instead of its centre"));
   EXPECT_FALSE(contains(mistake, "pixel-corner"));
-  EXPECT_TRUE(contains(formula, "<section id=pixel-corner>"));
+  EXPECT_TRUE(contains(formula, "<section id=\"pixel-corner\">"));
   EXPECT_TRUE(contains(formula, "confidence "));
 }
 

@@ -80,19 +80,22 @@ std::string told(const std::vector<JudgedPicture>& all, const std::string& repor
   return text;
 }
 
+references::html::ThreePictures pictures(std::size_t i) { return {"right", "yours", std::to_string(i)}; }
+
 TEST(Journal, WhatIsKeptIsToldTheSame) {
   const Workplace place;
   std::vector<JudgedPicture> all = one_of_each();
   {
     Journal journal(place.path("j"));
-    for (std::size_t i = 0; i < all.size(); ++i) journal.keep(key(i), all[i], "<figure>" + std::to_string(i));
+    for (std::size_t i = 0; i < all.size(); ++i) journal.keep(key(i), all[i], pictures(i));
   }
   const Journal journal(place.path("j"));
   EXPECT_EQ(journal.found(), all.size());
   std::vector<JudgedPicture> found;
   for (std::size_t i = 0; i < all.size(); ++i) {
     found.push_back(journal.find(key(i)).value());
-    EXPECT_EQ(journal.figures_of(found.back()), "<figure>" + std::to_string(i));
+    const auto kept = journal.pictures_of(found.back()).value();
+    EXPECT_EQ(kept.right + kept.yours + kept.difference, "rightyours" + std::to_string(i));
   }
   EXPECT_EQ(told(found, place.path("found")), told(all, place.path("all")));
   EXPECT_FALSE(journal.find(key(99)));
@@ -104,7 +107,7 @@ TEST(Journal, IsReadUpToWhereItWasTorn) {
   all.resize(3);
   {
     Journal journal(place.path("j"));
-    for (std::size_t i = 0; i < all.size(); ++i) journal.keep(key(i), all[i], "");
+    for (std::size_t i = 0; i < all.size(); ++i) journal.keep(key(i), all[i], {});
   }
   const std::string whole = read_file(place.path("j"));
   for (std::size_t size = 0; size <= whole.size(); ++size) {
@@ -115,7 +118,7 @@ TEST(Journal, IsReadUpToWhereItWasTorn) {
     ASSERT_EQ(journal.found(), lines == 0 ? 0 : lines - 1) << size;
     for (std::size_t i = 0; i < all.size(); ++i)
       ASSERT_EQ(journal.find(key(i)).has_value(), i + 1 < lines) << size;
-    journal.keep(key(7), all[0], "");
+    journal.keep(key(7), all[0], {});
   }
   Journal again(place.path("torn"));
   EXPECT_EQ(again.found(), 4U);
@@ -140,17 +143,17 @@ TEST(Journal, AFullDiskSpoilsNothing) {
   const Workplace place;
   std::vector<JudgedPicture> all = one_of_each();
   Journal journal(place.path("j"));
-  journal.keep(key(0), all[0], "");
+  journal.keep(key(0), all[0], {});
   rlimit before{};
   getrlimit(RLIMIT_FSIZE, &before);
   auto* const handler = std::signal(SIGXFSZ, SIG_IGN);
   const rlimit small{fs::file_size(place.path("j")) + 10, before.rlim_max};
   setrlimit(RLIMIT_FSIZE, &small);
-  EXPECT_THROW(journal.keep(key(1), all[1], ""), std::runtime_error);
+  EXPECT_THROW(journal.keep(key(1), all[1], {}), std::runtime_error);
   setrlimit(RLIMIT_FSIZE, &before);
   std::signal(SIGXFSZ, handler);
   EXPECT_FALSE(journal.find(key(1)));
-  journal.keep(key(2), all[2], "");
+  journal.keep(key(2), all[2], {});
   EXPECT_TRUE(journal.find(key(0)) && journal.find(key(2)));
 }
 

@@ -13,11 +13,12 @@
 #include <set>
 #include <thread>
 
-#include "references/report/escape.hpp"
-#include "references/report/packing.hpp"
+#include "references/report/html/escape.hpp"
+#include "references/report/html/packing.hpp"
+#include "references/report/html/web.hpp"
 #include "references/report/picture.hpp"
+#include "references/report/script_json.hpp"
 #include "references/report/thumbnail.hpp"
-#include "references/report/web.hpp"
 #include "tests/support/end_to_end.hpp"
 
 namespace plumb::tests {
@@ -162,6 +163,14 @@ TEST(ReportPacking, OnePixelIsNotLostInAnErrorThumbnail) {
   const std::string png = error_thumbnail(right, shown);
   const std::string lines = inflated(png.substr(png.find("IDAT") + 4));
   EXPECT_EQ(std::count(lines.begin(), lines.end(), '\xff'), 1);
+}
+
+TEST(ReportThumbnail, ValuesThatAreEncodedGetNoCurve) {
+  Image image(1, 1);
+  image.rgb = {0.F, 100.F / 255.F, 1.F};
+  const auto samples = [](const std::string& png) { return inflated(png.substr(png.find("IDAT") + 4)); };
+  EXPECT_EQ(samples(thumbnail(image, true)), std::string("\0\0\x64\xff", 4));
+  EXPECT_EQ(samples(thumbnail(image)), std::string("\0\0\xa8\xff", 4));
 }
 
 TEST(ReportEscape, NothingEndsTheScript) {

@@ -8,7 +8,7 @@ set(report_built ${PROJECT_BINARY_DIR}/report)
 set(report_sources
   budget.js clipboard.js dialogs.js dom.js explanation.js format.js heat.js keys.js main.js marks.js overview.js
   pane.js picture.js pixel.js router.js scene.js shading.js slider.js stage.js status.js store.js tables.js toolbar.js
-  style.css overview.css scene.css base.css page.html LICENSES.md)
+  style.css overview.css scene.css base.css document.css page.html LICENSES.md)
 list(TRANSFORM report_sources PREPEND ${report_web}/)
 add_custom_command(
   OUTPUT ${report_built}/web.cpp

@@ -1,6 +1,6 @@
 # Writes OUTPUT, a .cpp that holds the bytes of PAGE, STYLE and SCRIPT.
 # Usage: cmake -DOUTPUT=... -DPAGE=... -DSTYLE=... -DSCRIPT=... -P embed.cmake
-set(text "#include \"references/report/web.hpp\"\n\nnamespace plumb::references::web {\nnamespace {\n")
+set(text "#include \"references/report/html/web.hpp\"\n\nnamespace plumb::references::web {\nnamespace {\n")
 set(views "")
 foreach(name PAGE STYLE SCRIPT)
   string(TOLOWER ${name} lower)

@@ -29,7 +29,7 @@ export function scale(range) {
   const decades = Array.from({length: range.high - range.low + 1}, (_, i) => range.low + i);
   const label = (d, i) => (d === 0 ? "1" : `${i === 0 ? "≤ " : ""}1e${d}`);
   return element("div", {class: "scale", role: "img",
-    "aria-label": `Colour scale of the error, logarithmic, from 1e${range.low} (dark) to 1e${range.high} (bright)`},
+    "aria-label": `Colour scale of the difference, logarithmic, from 1e${range.low} (dark) to 1e${range.high} (bright)`},
   element("div", {class: "ramp", style: {background: `linear-gradient(to right, ${colours.join(",")})`}}),
   element("div", {class: "ticks"}, decades.map((d, i) => element("span", {}, label(d, i)))));
 }

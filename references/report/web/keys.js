@@ -1,8 +1,8 @@
 // Keyboard shortcuts: one list, from which they act and are documented.
 
 export const shortcuts = [
-  {keys: ["1", "2", "3", "4"], text: "slider, side by side, blink, error", action: "mode_number"},
-  {keys: [" "], shown: "Space", text: "swap reference and test (when blinking)", action: "swap"},
+  {keys: ["1", "2", "3", "4"], text: "slider, side by side, blink, difference", action: "mode_number"},
+  {keys: [" "], shown: "Space", text: "swap right and yours (when blinking)", action: "swap"},
   {keys: ["+", "="], shown: "+", text: "zoom in", action: "zoom_in"},
   {keys: ["-"], text: "zoom out", action: "zoom_out"},
   {keys: ["0"], text: "fit the picture", action: "fit"},

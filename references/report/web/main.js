@@ -5,7 +5,7 @@ import {element} from "./dom.js";
 import {thumbnail_filter} from "./heat.js";
 import {listen} from "./keys.js";
 import {Overview} from "./overview.js";
-import {address, place, remember} from "./router.js";
+import {address, place} from "./router.js";
 import {SceneView} from "./scene.js";
 import {read_report} from "./store.js";
 
@@ -26,6 +26,7 @@ function neighbour(scene, step) {
 const scene_view = new SceneView(view, {
   previous: (scene) => neighbour(scene, -1),
   next: (scene) => neighbour(scene, 1),
+  is_alone: report.scenes.length === 1,
   go: (scene) => { location.hash = address({scene: scene.key, view: view.mode}); },
 });
 
@@ -36,7 +37,8 @@ let place_in_overview = 0;
 
 function show() {
   const where = place();
-  const scene = scenes.get(where.scene);
+  // Of one scene there is nothing to overlook.
+  const scene = scenes.get(where.scene) ?? (report.scenes.length === 1 ? report.scenes[0] : undefined);
   if (content.firstChild === overview.node) place_in_overview = scrollY;
   if (!scene) scene_view.stage.stop();
   const node = scene ? scene_view.node : overview.node;
@@ -52,7 +54,7 @@ const overview_actions = {
   next: () => { const [first] = overview.shown(); if (first) location.hash = address({scene: first.key}); },
 };
 const common_actions = {help: () => help.showModal()};
-listen(() => ({...(scenes.has(place().scene) ? scene_view.actions : overview_actions), ...common_actions}), settings);
+listen(() => ({...(document.body.dataset.shows === "scene" ? scene_view.actions : overview_actions), ...common_actions}), settings);
 
 const bar_button = (label, title, dialog) => element("button", {type: "button", class: "small", title, onclick: () => dialog.showModal()}, label);
 document.getElementById("app").replaceChildren(
@@ -61,6 +63,4 @@ document.getElementById("app").replaceChildren(
   bar_button("Keys ?", "Keyboard shortcuts (?)", help), bar_button("About", "About this page, and licences", about)),
   content, help, about, thumbnail_filter());
 addEventListener("hashchange", show);
-// Of one scene there is nothing to overlook.
-if (!location.hash && report.scenes.length === 1) remember({scene: report.scenes[0].key});
 show();

@@ -28,7 +28,7 @@ function compared(a, b) {
 
 function thumbnail(scene, key, what) {
   if (!scene[key]) return element("span", {class: "thumbnail none", "aria-hidden": "true"});
-  return element("img", {class: `thumbnail ${key}`, src: scene[key], alt: `${what} of ${scene.name}`, loading: "lazy", decoding: "async"});
+  return element("img", {class: `thumbnail ${key}`, src: scene[key], alt: `${what}: ${scene.name}`, loading: "lazy", decoding: "async"});
 }
 
 function row(scene) {
@@ -36,7 +36,7 @@ function row(scene) {
   const link = element("a", {href: address({scene: scene.key})}, scene.name);
   const cell = (title, text) => element("td", {class: text === "–" ? "number empty" : "number", "data-title": title}, text);
   const node = element("tr", {},
-    element("td", {class: "pictures"}, thumbnail(scene, "thumbnail", "Picture"), thumbnail(scene, "error_thumbnail", "Errors")),
+    element("td", {class: "pictures"}, thumbnail(scene, "thumbnail", "Yours"), thumbnail(scene, "error_thumbnail", "Difference")),
     element("th", {scope: "row"}, link, result.message ? element("span", {class: "message"}, result.message.split("\n")[0]) : null),
     element("td", {"data-title": "Result"}, badge(result.status)),
     cell("Max error", figure(result.max_error)), cell("Mean", figure(result.mean_error)), cell("RMS", figure(result.rms_error)),
@@ -56,7 +56,8 @@ export class Overview {
     this.rows = new Map();
     this.body = element("tbody");
     this.outcome = element("p", {class: "outcome muted", role: "status"});
-    this.node = element("main", {id: "main", class: "overview", tabindex: "-1"}, this.controls(), this.table());
+    this.node = element("main", {id: "main", class: "overview", tabindex: "-1"},
+      element("p", {class: "conclusion"}, report.conclusion), this.controls(), this.table());
     this.update();
   }
 
@@ -88,7 +89,7 @@ export class Overview {
     this.heads = columns.map(([id, title]) => element("th", {scope: "col", "data-column": id},
       element("button", {type: "button", onclick: () => this.sort_by(id)}, title, element("span", {class: "arrow", "aria-hidden": "true"}))));
     return element("table", {class: "scenes"}, element("thead", {}, element("tr", {},
-      element("th", {scope: "col"}, element("span", {class: "plain"}, "Test | error")), this.heads)), this.body);
+      element("th", {scope: "col"}, element("span", {class: "plain"}, "Yours | difference")), this.heads)), this.body);
   }
 
   sort_by(id) {

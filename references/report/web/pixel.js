@@ -28,7 +28,7 @@ export function readout(picture, causes, pixel, origin) {
   const at = 3 * (pixel.y * picture.width + pixel.x);
   const cause = cause_at(picture, causes, pixel);
   const rows = ["R", "G", "B"].map((channel, i) => row(channel, picture.reference[at + i], picture.test[at + i]));
-  const head = ["", "Reference", "Test", "Test − ref."].map((text) => element("th", {scope: "col"}, text));
+  const head = ["", "Right", "Yours", "Difference"].map((text) => element("th", {scope: "col"}, text));
   return [
     element("p", {class: "place"}, element("span", {class: "number"}, `x ${pixel.x}, y ${pixel.y}`),
       element("span", {class: "muted"}, origin),

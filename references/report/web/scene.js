@@ -28,7 +28,7 @@ function budget_of({budget, not_compared: why}) {
 }
 
 export class SceneView {
-  /** `lead.previous(scene)` and `lead.next(scene)`: scenes or nothing; `lead.go(scene)`. */
+  /** `lead.previous(scene)` and `lead.next(scene)`: scenes or nothing; `lead.go(scene)`; `lead.is_alone`: there is no other. */
   constructor(view, lead) {
     this.view = view;
     this.lead = lead;
@@ -55,6 +55,7 @@ export class SceneView {
     if (modes.some(([mode]) => mode === where.view)) this.view.mode = where.view;
     this.update_head();
     this.side.replaceChildren(...this.panels());
+    this.toolbar.set_encoded(scene.encoded ?? {});
     this.toolbar.update();
     if (!scene.picture) return this.say(no_pictures(scene.result));
     if (!this.left.contains(this.stage.node)) this.say("Reading the pictures …");
@@ -72,7 +73,7 @@ export class SceneView {
   show_picture(picture, pixel) {
     this.picture = picture;
     if (!this.left.contains(this.stage.node)) this.left.replaceChildren(this.toolbar.node, this.stage.node);
-    this.stage.show(picture, this.scene.causes);
+    this.stage.show(picture, this.scene);
     const is_inside = pixel && pixel.x < picture.width && pixel.y < picture.height;
     this.pick(is_inside ? pixel : this.worst(), false);
     this.node.dataset.ready = this.scene.key;
@@ -89,9 +90,11 @@ export class SceneView {
     const step = (label, title, to) => element("button", {type: "button", title, "aria-label": title, disabled: !to,
       onclick: () => lead.go(to)}, label);
     this.head.replaceChildren(
-      element("a", {href: "#", class: "back"}, "← Overview"),
+      element("p", {class: "conclusion"}, scene.conclusion),
+      ...(lead.is_alone ? [] : [element("a", {href: "#", class: "back"}, "← Overview")]),
       element("h1", {}, scene.name), badge(scene.result.status),
-      element("span", {class: "steps"}, step("‹", "Previous scene (k)", lead.previous(scene)), step("›", "Next scene (j)", lead.next(scene))));
+      ...(lead.is_alone ? [] : [element("span", {class: "steps"},
+        step("‹", "Previous scene (k)", lead.previous(scene)), step("›", "Next scene (j)", lead.next(scene)))]));
   }
 
   panels() {
@@ -172,7 +175,7 @@ export class SceneView {
       brighter: () => this.set_exposure(this.view.exposure + half_stop),
       darker: () => this.set_exposure(this.view.exposure - half_stop),
       reset_exposure: () => this.set_exposure(0),
-      toggle_curve: () => this.flip("is_srgb"),
+      toggle_curve: () => { if (!this.toolbar.has_curve()) return; this.flip("is_srgb"); },
       toggle_marks: () => this.flip("has_marks"),
       toggle_range: () => this.flip("is_own_range"),
       worst: () => this.pick(this.worst(), true),

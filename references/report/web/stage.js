@@ -6,7 +6,7 @@ import {Pane} from "./pane.js";
 import {heat_map, shaded} from "./shading.js";
 import {make_divider} from "./slider.js";
 
-const titles = {reference: "Reference", test: "Test", error: "Error"};
+const titles = {reference: "Right", test: "Yours", error: "Difference"};
 const blink_milliseconds = 600;
 
 export class Stage {
@@ -26,9 +26,11 @@ export class Stage {
     new ResizeObserver(() => this.resized()).observe(this.panes_node);
   }
 
-  show(picture, causes) {
+  /** `encoded`: whether the file of the picture of that name holds what a screen shows. */
+  show(picture, {causes, encoded}) {
     const is_alike = this.picture?.width === picture.width && this.picture.height === picture.height;
     this.picture = picture;
+    this.encoded = encoded;
     this.marked = marked_pixels(picture, causes);
     this.ignored = causes.indexOf("ignored") + 1;
     this.sources = {};
@@ -53,7 +55,7 @@ export class Stage {
   }
 
   new_pane(name) {
-    const what = {slider: "Reference left of the line, test right of it", blink: "Reference and test in turn"}[name] ?? titles[name];
+    const what = {slider: "The right picture, and yours beyond the line", blink: "The right picture and yours in turn"}[name] ?? titles[name];
     const pane = new Pane(`${what}. Arrow keys move the picked pixel.`, {
       on_zoom: (transform) => { this.is_fitting = false; this.apply(transform); },
       on_point: this.callbacks.on_point,
@@ -99,7 +101,7 @@ export class Stage {
   source(name) {
     const {exposure, is_srgb} = this.view;
     this.sources[name] ??= name === "error" ? heat_map(this.picture, this.range(), this.ignored)
-      : shaded(this.picture, this.picture[name], exposure, is_srgb);
+      : shaded(this.picture, this.picture[name], exposure, is_srgb && !this.encoded[name]);
     return this.sources[name];
   }
 

@@ -1,7 +1,7 @@
 // How the pictures are looked at: mode, exposure, curve, marks, zoom.
 import {element} from "./dom.js";
 
-export const modes = [["slider", "Slider"], ["side", "Side by side"], ["blink", "Blink"], ["error", "Error"]];
+export const modes = [["slider", "Slider"], ["side", "Side by side"], ["blink", "Blink"], ["error", "Difference"]];
 export const most_stops = 16;
 
 function toggle(label, title, on_click) {
@@ -17,14 +17,15 @@ export function make_toolbar(view, actions) {
     oninput: () => actions.set_exposure(Number(exposure.value))});
   const stops = element("output", {for: "exposure", class: "number stops"});
   const curve = toggle("sRGB", "Show with the sRGB curve (s)", actions.toggle_curve);
+  const as_filed = element("span", {class: "muted", title: "Files of 8 bits hold what a screen shows"}, "As in the files");
   const marks = toggle("Marks", "Mark pixels over the tolerance (m)", actions.toggle_marks);
   const pause = toggle("Pause", "Stop blinking; the space bar swaps", actions.toggle_pause);
-  const range = toggle("Own range", "Colours for this scene's errors only", actions.toggle_range);
+  const range = toggle("Own range", "Colours for this scene's differences only", actions.toggle_range);
   const zoom_text = element("output", {class: "number zoom-text", "aria-label": "Zoom"});
   const button = (label, title, action) => element("button", {type: "button", title, "aria-label": title, onclick: action}, label);
   const node = element("div", {class: "toolbar", role: "toolbar", "aria-label": "View"},
     element("div", {class: "segments", role: "group", "aria-label": "Mode"}, mode_buttons),
-    element("div", {class: "group"}, pause, marks, curve),
+    element("div", {class: "group"}, pause, marks, curve, as_filed),
     element("div", {class: "group"}, element("label", {for: "exposure"}, "Exposure"), exposure, stops,
       button("↺", "Reset exposure (r)", () => actions.set_exposure(0))),
     element("div", {class: "group"}, button("−", "Zoom out (-)", actions.zoom_out), zoom_text,
@@ -40,5 +41,10 @@ export function make_toolbar(view, actions) {
     press(range, view.is_own_range);
     pause.hidden = view.mode !== "blink";
   };
-  return {node, range, update, set_zoom: (k) => { zoom_text.textContent = `${k < 0.1 ? (100 * k).toFixed(1) : Math.round(100 * k)} %`; }};
+  /** Where both pictures are shown as their files hold them there is no curve to choose. */
+  const set_encoded = (encoded) => {
+    curve.hidden = encoded.reference && encoded.test;
+    as_filed.hidden = !curve.hidden;
+  };
+  return {node, range, update, set_encoded, has_curve: () => !curve.hidden, set_zoom: (k) => { zoom_text.textContent = `${k < 0.1 ? (100 * k).toFixed(1) : Math.round(100 * k)} %`; }};
 }

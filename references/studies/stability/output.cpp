@@ -2,7 +2,9 @@
 #include <cmath>
 #include <cstdio>
 
-#include "references/report/packing.hpp"
+#include "references/report/html/document.hpp"
+#include "references/report/html/escape.hpp"
+#include "references/report/html/packing.hpp"
 #include "references/studies/stability/atlas.hpp"
 #include "references/studies/stability/pictures.hpp"
 #include "tracer/system/in_parallel.hpp"
@@ -53,19 +55,13 @@ std::string line(const std::array<std::string, 7>& cells) {
   return text.data();
 }
 
-std::string escaped(const std::string& text) {
-  std::string safe;
-  for (const char c : text) safe += c == '<' ? "&lt;" : c == '&' ? "&amp;" : std::string(1, c);
-  return safe;
-}
-
-/// From exact to lost, by Okabe and Ito's palette, which colour-blind readers tell apart.
-const char* colour_of(double error) {
-  if (std::isnan(error)) return "#BBBBBB";
-  if (error <= 1e-12) return "#0072B2";
-  if (error <= 1e-6) return "#56B4E9";
-  if (error <= 0.01) return "#F0E442";
-  return error < 1 ? "#E69F00" : "#000000";
+/// How large an error is, as the style sheet names it, from exact to lost.
+const char* size_of(double error) {
+  if (std::isnan(error)) return "error-none";
+  if (error <= 1e-12) return "error-exact";
+  if (error <= 1e-6) return "error-e6";
+  if (error <= 0.01) return "error-percent";
+  return error < 1 ? "error-more" : "error-lost";
 }
 
 /// Of single rays: the error by the condition, both logarithmic, and a line where it breaks first.
@@ -82,27 +78,27 @@ std::string drawn_curve(const Row& row) {
     points += text.data();
   }
   std::snprintf(text.data(), text.size(),
-                "<line x1=%.1f x2=%.1f y1=0 y2=%.0f stroke='#D55E00'/></svg><br>at %.2g",
+                "<line x1=\"%.1f\" x2=\"%.1f\" y1=\"0\" y2=\"%.0f\" stroke=\"#D55E00\"/></svg>at %.2g",
                 across(first_break(row)), across(first_break(row)), height, first_break(row));
-  return "<svg width=136 height=64 role=img aria-label='error by the condition'>"
-         "<rect width=136 height=64 fill='#f4f4f4'/><polyline fill=none stroke='#0072B2' points='" +
-         points + "'/>" + text.data();
+  return "<svg width=\"136\" height=\"64\" role=\"img\" aria-label=\"difference by the condition\">"
+         "<rect width=\"136\" height=\"64\" fill=\"#f4f4f4\"/><polyline fill=\"none\" stroke=\"#0072B2\" "
+         "points=\"" +
+         points + "\"/>" + text.data();
 }
 
 /// The failure as it is seen.
 std::string picture_cell(const Row& row, const std::optional<FailurePicture>& picture) {
   if (!row.breaks.any()) return "<td></td>";
-  if (!picture) return "<td class=seen>" + drawn_curve(row) + "</td>";
+  if (!picture) return html::element("td", "seen", drawn_curve(row));
   std::array<char, 64> at{};
   std::snprintf(at.data(), at.size(), "at %.2g", 1.5 * first_break(row));
+  const std::string place(at.data());
   if (!picture->refused.empty())
-    return "<td>" + std::string(at.data()) + ": " + escaped(picture->refused) + "</td>";
-  const auto image = [](const char* what, const std::string& bytes) {
-    return "<img alt='" + std::string(what) + "' title='" + what + "' src='data:image/png;base64," +
-           base64(bytes) + "'>";
-  };
-  return "<td class=seen>" + image("as rendered", picture->seen) + image("its error", picture->errors) +
-         "<br>" + at.data() + "</td>";
+    return html::element("td", "", html_escaped(place + ": " + picture->refused));
+  return html::element("td", "seen",
+                       html::image(base64(picture->seen), row.method + " " + place) +
+                           html::image(base64(picture->errors), "difference of " + row.method + " " + place) +
+                           "<br>" + place);
 }
 
 /// Of each row of each condition; most of the time POV-Ray waits.
@@ -121,24 +117,74 @@ std::vector<std::vector<std::optional<FailurePicture>>> pictures_of(
   return pictures;
 }
 
-std::string map_row(const Row& row, const std::optional<FailurePicture>& picture) {
-  std::string html = "<tr><td title='" + escaped(row.source) + "'>" + escaped(row.method) + "</td><td>" +
-                     row.real + "</td><td class=map>";
-  if (!row.unavailable.empty())
-    return html + "</td><td colspan=8><b>not measured:</b> " + escaped(row.unavailable) + "</td></tr>\n";
+/// A box a value of the condition, coloured by the error there.
+std::string map_of(const Row& row) {
+  std::string boxes;
   for (const auto& [value, error] : row.curve) {
     std::array<char, 160> box{};
-    std::snprintf(box.data(), box.size(), "<i style='background:%s' title='%.3g: error %.1e'></i>",
-                  colour_of(error), value, error);
-    html += box.data();
+    std::snprintf(box.data(), box.size(), "<i class=\"%s\" title=\"%.3g: error %.1e\"></i>", size_of(error),
+                  value, error);
+    boxes += box.data();
   }
+  return html::element("td", "map", boxes);
+}
+
+std::string map_row(const Row& row, const std::optional<FailurePicture>& picture) {
+  std::string cells = "<th scope=\"row\" title=\"" + html_escaped(row.source) + "\">" +
+                      html_escaped(row.method) + " " + html::element("span", "muted", row.real) + "</th>";
+  if (!row.unavailable.empty())
+    return html::element(
+        "tr", "",
+        cells + "<td colspan=\"9\"><b>not measured:</b> " + html_escaped(row.unavailable) + "</td>\n");
+  cells += map_of(row);
   const Breaks& b = row.breaks;
-  html += "</td>";
   for (const auto& value : {b.missed, b.ulp16, b.e6, b.percent, b.self_shadow})
-    html += "<td>" + cell(value) + "</td>";
-  html += picture_cell(row, picture);
-  if (!row.breaks.any()) return html + "<td></td><td></td></tr>\n";
-  return html + "<td>" + escaped(row.cause) + "</td><td>" + escaped(row.remedy) + "</td></tr>\n";
+    cells += html::element("td", "number", cell(value));
+  cells += picture_cell(row, picture);
+  const bool breaks = row.breaks.any();
+  cells += html::element("td", "", breaks ? html_escaped(row.cause) : "") +
+           html::element("td", "", breaks ? html_escaped(row.remedy) : "");
+  return html::element("tr", "", cells) + "\n";
+}
+
+/// What the colours of the maps mean.
+std::string key_of_colours() {
+  std::string text = "Largest error of t, of a direction, a point or a pixel: ";
+  for (const auto& [error, words] :
+       {std::pair(0.0, "to 1e-12"), std::pair(1e-7, "to 1e-6"), std::pair(1e-3, "to 1 %"),
+        std::pair(0.1, "more"), std::pair(1.0, "hit lost, or false"),
+        std::pair(std::nan(""), "rounding leaves nothing to hit")})
+    text += html::element("span", "", html::element("i", size_of(error), "") + words);
+  return html::element("p", "error-key", text) + "\n";
+}
+
+std::string table_of(const Condition& condition, const std::vector<std::optional<FailurePicture>>& pictures) {
+  std::array<char, 64> range{};
+  std::snprintf(range.data(), range.size(), " 1 to %.0e, logarithmic", condition.last);
+  std::string rows;
+  for (std::size_t row = 0; row < condition.rows.size(); ++row)
+    rows += map_row(condition.rows[row], pictures[row]);
+  return html::element("h2", "", html_escaped(condition.name)) +
+         html::table(
+             condition.name,
+             {"method and its numbers", html_escaped(condition.unit) + range.data(), "missed", "16 ulp",
+              "1e-6", "1 %", "meets itself", "past it, and the difference", "cause", "remedy"},
+             rows);
+}
+
+/// How much of it breaks, in one sentence.
+std::string conclusion_of(const std::vector<Condition>& conditions) {
+  std::size_t all = 0, broken = 0, unavailable = 0;
+  for (const Condition& condition : conditions) {
+    for (const Row& row : condition.rows) {
+      ++all;
+      if (!row.unavailable.empty()) ++unavailable;
+      if (row.breaks.any()) ++broken;
+    }
+  }
+  return std::to_string(broken) + " of " + std::to_string(all) +
+         " measurements, each of a method with its numbers under a condition, break within their sweep" +
+         (unavailable > 0 ? "; " + std::to_string(unavailable) + " could not be made." : ".");
 }
 
 }  // namespace
@@ -173,33 +219,10 @@ std::string table_of(const std::vector<Condition>& conditions) {
 }
 
 std::string page_of(const std::vector<Condition>& conditions) {
-  std::string html =
-      "<!DOCTYPE html><html lang=en><meta charset=utf-8><title>Where methods fail</title><style>"
-      "body{font:14px sans-serif;margin:2em;color:#222}table{border-collapse:collapse;margin-bottom:2em}"
-      "td,th{padding:2px 6px;text-align:left;border-bottom:1px solid #ddd}.map{white-space:nowrap}"
-      ".map i,.key i{display:inline-block;width:10px;height:16px}.key span{margin-right:1.5em}"
-      ".seen,td:nth-child(-n+2){white-space:nowrap}.seen img{margin-right:2px}</style>"
-      "<h1>Where methods fail</h1><p class=key>Largest error of t, of a direction, a point or a pixel: ";
-  for (const auto& [error, words] :
-       {std::pair(0.0, "to 1e-12"), std::pair(1e-7, "to 1e-6"), std::pair(1e-3, "to 1 %"),
-        std::pair(0.1, "more"), std::pair(1.0, "hit lost, or false"),
-        std::pair(std::nan(""), "rounding leaves nothing to hit")})
-    html += std::string("<span><i style='background:") + colour_of(error) + "'></i> " + words + "</span>";
-  html += "</p>\n";
+  std::string body = key_of_colours();
   const auto pictures = pictures_of(conditions);
-  for (std::size_t i = 0; i < conditions.size(); ++i) {
-    const Condition& condition = conditions[i];
-    std::array<char, 64> range{};
-    std::snprintf(range.data(), range.size(), " 1 to %.0e, logarithmic", condition.last);
-    html += "<h2>" + condition.name + "</h2><table><tr><th>method</th><th>real</th><th>" + condition.unit +
-            range.data() +
-            "</th><th>missed</th><th>16 ulp</th><th>1e-6</th><th>1 %</th><th>meets itself</th>"
-            "<th>seen past it, and its error</th><th>cause</th><th>remedy</th></tr>\n";
-    for (std::size_t row = 0; row < condition.rows.size(); ++row)
-      html += map_row(condition.rows[row], pictures[i][row]);
-    html += "</table>\n";
-  }
-  return html + "</html>\n";
+  for (std::size_t i = 0; i < conditions.size(); ++i) body += table_of(conditions[i], pictures[i]);
+  return html::page({"Where methods fail", conclusion_of(conditions), body, ""});
 }
 
 }  // namespace plumb::references::stability

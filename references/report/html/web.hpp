@@ -5,8 +5,8 @@
 
 namespace plumb::references::web {
 
-extern const std::string_view page;   ///< HTML with {{title}}, {{policy}}, {{style}}, {{data}} and {{script}}
-extern const std::string_view style;  ///< CSS
+extern const std::string_view page;    ///< HTML with {{title}}, {{policy}}, {{style}} and {{body}}
+extern const std::string_view style;   ///< CSS
 extern const std::string_view script;  ///< one classic script
 
 }  // namespace plumb::references::web

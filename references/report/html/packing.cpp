@@ -1,4 +1,4 @@
-#include "references/report/packing.hpp"
+#include "references/report/html/packing.hpp"
 
 #include <zlib.h>
 

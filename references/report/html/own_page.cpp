@@ -1,4 +1,4 @@
-#include "references/report/own_page.hpp"
+#include "references/report/html/own_page.hpp"
 
 #include <filesystem>
 #include <fstream>

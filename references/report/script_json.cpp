@@ -1,4 +1,6 @@
-#include "references/report/escape.hpp"
+#include "references/report/script_json.hpp"
+
+#include <string_view>
 
 #include "references/system/json.hpp"
 
@@ -12,16 +14,6 @@ void replace_all(std::string& text, std::string_view from, std::string_view to) 
 }
 
 }  // namespace
-
-std::string html_escaped(std::string_view text) {
-  std::string escaped(text);
-  replace_all(escaped, "&", "&amp;");
-  replace_all(escaped, "<", "&lt;");
-  replace_all(escaped, ">", "&gt;");
-  replace_all(escaped, "\"", "&quot;");
-  replace_all(escaped, "'", "&#39;");
-  return escaped;
-}
 
 std::string script_json(const nlohmann::ordered_json& json) {
   // Outside strings JSON has none of these, so that escapes of strings are right everywhere.
