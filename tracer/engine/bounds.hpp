@@ -1,4 +1,4 @@
-// Axis-parallel bounds of shapes, never too small.
+// Axis-parallel bounds of shapes. They are never too small.
 #pragma once
 
 #include <limits>
@@ -17,7 +17,8 @@ struct Bounds3 {
   }
 };
 
-/// Widened by what rounding may move a hit off the surface, as a share of the largest coordinate.
+/// Returns bounds widened by what rounding may move a hit off the surface, as a share of the largest
+/// coordinate.
 template <class Real>
 Bounds3 padded(const Bounds3& b) {
   const Vec3<double> size = glm::max(glm::abs(b.min), glm::abs(b.max));
@@ -37,7 +38,7 @@ Bounds3 bounds_of(const Box<Real>& b) {
   return padded<Real>({Vec3<double>(b.min), Vec3<double>(b.max)});
 }
 
-/// The image of a box: its centre moves by M, its half edges by |M|.
+/// Returns the bounds of a box's image: its centre moves by M, its half edges by |M|.
 inline Bounds3 transformed(const Mat4<double>& m, const Bounds3& b) {
   const Vec3<double> center = formulas::transform_point(m, (b.min + b.max) * 0.5);
   const Vec3<double> half = (b.max - b.min) * 0.5;
@@ -46,7 +47,7 @@ inline Bounds3 transformed(const Mat4<double>& m, const Bounds3& b) {
   return {center - reach, center + reach};
 }
 
-/// The image of a sphere: along each axis it reaches as far as the row of M is long.
+/// Returns the bounds of a sphere's image: along each axis it reaches as far as the row of M is long.
 inline Bounds3 transformed(const Mat4<double>& m, const Sphere<double>& s) {
   const Vec3<double> center = formulas::transform_point(m, s.center);
   const Vec3<double> squares = Vec3<double>(m[0]) * Vec3<double>(m[0]) +

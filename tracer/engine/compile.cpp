@@ -15,7 +15,8 @@ namespace {
 
 using Placement = Transform<double>;
 
-/// The factor of a similarity (any rotation, one scale), within the rounding of products of matrices.
+/// Returns the factor of a similarity (any rotation, one scale), within the rounding of products of matrices;
+/// else 0.
 double similarity_factor(const Mat4<double>& m) {
   const Vec3<double> x(m[0]), y(m[1]), z(m[2]);
   const double squared = glm::dot(x, x);
@@ -53,7 +54,7 @@ class Compiler {
  private:
   struct Contents {
     std::vector<Ref> refs;
-    std::vector<Bounds3> bounds;  // of members and what is placed: others know theirs
+    std::vector<Bounds3> bounds;  // of members and of what is placed; others know theirs
     std::vector<Member<Real>> members;
   };
 
@@ -115,7 +116,7 @@ class Compiler {
                shape.geometry);
   }
 
-  /// Materials come in the order in which they are first used; those of no shape are left out.
+  /// Places materials in the order in which they are first used, and leaves out those of no shape.
   std::uint32_t place_of(MaterialId id) {
     std::uint32_t& place = places_of_materials_[id];
     if (place != no_place) return place;
@@ -179,7 +180,7 @@ class Compiler {
       groups_[id] = {group, bounds};
       known = groups_.find(id);
     }
-    // Members of one group stand side by side: their places are known when all are.
+    // Members of one group stand side by side, so their places are known when all are there.
     contents.refs.emplace_back(Kind::group, static_cast<std::uint32_t>(contents.members.size()));
     contents.bounds.push_back(padded<Real>(transformed(here.matrix, known->second.bounds)));
     contents.members.push_back({affine_of<Real>(here.inverse), known->second.group, first, counts_[id]});
@@ -212,8 +213,8 @@ class Compiler {
     return all;
   }
 
-  /// In float, rounded outward by more than the conversion rounds. Without a hierarchy nothing is told apart:
-  /// each has the bounds of the whole group.
+  /// Returns an item with bounds in float, rounded outward by more than the conversion rounds. Without a
+  /// hierarchy, each has the bounds of the complete group, so that nothing is told apart.
   Item item_of(const Group& group, Ref ref, const Bounds3& bounds) const {
     if (!has_hierarchy_) return {{-2, -2, -2}, ref, {2, 2, 2}};
     Item item{{}, ref, {}};
@@ -227,7 +228,8 @@ class Compiler {
     return item;
   }
 
-  /// The median of the longest edges, of so many items that it is no work; of a group, of what it holds.
+  /// Returns the median of the longest edges of some thousand items. For a group it takes that of what it
+  /// holds.
   double typical_size(const std::vector<Item>& items) const {
     std::vector<double> sizes;
     for (std::size_t i = 0; i < items.size(); i += 1 + items.size() / 4096) {

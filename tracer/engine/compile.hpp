@@ -1,4 +1,4 @@
-// Makes a scene ready for the engine.
+// Prepares a scene for the engine.
 #pragma once
 
 #include "tracer/engine/compiled_scene.hpp"
@@ -7,9 +7,9 @@
 
 namespace plumb::engine {
 
-/// Expects a scene as read_scene returns it without errors. Transforms are composed in double and folded into
-/// spheres (similarities) and boxes (axes kept); what several parents share is kept once when writing it out
-/// would be large. Instances have the numbers that a depth-first walk gives them.
+/// Expects a scene as read_scene returns it without errors. Composes transforms in double and folds them into
+/// spheres (similarities) and boxes (matrices that keep the axes). Keeps what several parents share once when
+/// writing it out would be large. Instances have the numbers of a depth-first walk.
 template <class Real>
 CompiledScene<Real> compile(const Scene& scene, const Settings& settings = {});
 

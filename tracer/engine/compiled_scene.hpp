@@ -11,7 +11,8 @@
 
 namespace plumb::engine {
 
-/// What a place in a node refers to. `placed` is a sphere or box behind a matrix, `group` a whole hierarchy.
+/// What a place in a node refers to. `placed` is a sphere or box behind a matrix, `group` a complete
+/// hierarchy.
 enum class Kind : std::uint32_t { none, node, sphere, box, placed, group };
 
 /// A kind and an index into the array of that kind, in one word; 0 is nothing.
@@ -30,7 +31,7 @@ struct Ref {
 
 inline constexpr int node_width = 8;
 
-/// Eight boxes and what is in them. Bounds are in the units of the group, rounded outward; an empty place has
+/// Eight boxes and what is in each. Bounds are in the units of the group, rounded outward. An empty place has
 /// min > max.
 struct alignas(32) Node {
   std::array<std::array<float, node_width>, 6> planes;  ///< min x, y, z, max x, y, z
@@ -54,13 +55,13 @@ struct Affine {
   Vec3<Real> x, y, z, origin;
 };
 
-/// Which instance a shape is within its group, and what it is made of.
+/// The number of a shape's instance within its group, and the index of its material.
 struct Label {
   std::uint32_t instance;
   std::uint32_t material;
 };
 
-/// A sphere or box that no fold brings into the space of its group.
+/// A sphere or box that no fold can bring into the space of its group.
 template <class Real>
 struct Placed {
   Affine<Real> object_from_group;
@@ -72,17 +73,17 @@ template <class Real>
 struct Member {
   Affine<Real> member_from_group;
   std::uint32_t group;
-  std::uint64_t first;  ///< instance, counted in the group that it stands in
-  std::uint64_t count;  ///< of instances
+  std::uint64_t first;  ///< number of its first instance, in the group that it stands in
+  std::uint64_t count;  ///< number of instances
 };
 
-/// A hierarchy: the world, or what several parents share.
+/// A hierarchy: of the world, or of what several parents share.
 struct Group {
   Ref root;
   Vec3<double> center{0};  ///< units of the bounds: (p - center) * scale lies within -1..1
   double scale = 1;
-  double typical_size = 1;                      ///< of what it holds, in these units: the median
-  std::uint32_t first_member = 0, members = 0;  ///< sorted by their first instance
+  double typical_size = 1;                      ///< median size of what it holds, in these units
+  std::uint32_t first_member = 0, members = 0;  ///< members are sorted by their first instance
 };
 
 template <class Real>
@@ -107,17 +108,17 @@ struct CompiledScene {
   std::vector<Box<Real>> boxes;
   std::vector<Placed<Real>> placed;
   std::vector<Member<Real>> members;
-  std::vector<Label> sphere_labels, box_labels;  ///< as spheres, boxes
+  std::vector<Label> sphere_labels, box_labels;  ///< parallel to spheres and boxes
   std::vector<Group> groups;                     ///< the first is the world
   std::vector<Material<Real>> materials;
   std::vector<Light<Real>> lights;
   Rgb<Real> background{0};
-  bool mirrors = false, transmits = false;  ///< whether any shape does
-  bool has_few_objects = false;  ///< it is quickest to test all that a bundle of rays may meet, however wide
-  bool needs_instances = false;  ///< whether hits must tell them apart: shared groups, media
+  bool mirrors = false, transmits = false;  ///< true if any shape does
+  bool has_few_objects = false;  ///< then bundles may be of any width: all that they may meet is tested
+  bool needs_instances = false;  ///< true if hits must tell instances apart: shared groups, media
 };
 
-/// The label of what a ray has hit: a sphere, a box, or one of them that is placed.
+/// Returns the label of what a ray has hit: a sphere, a box, or a placed one of them.
 template <class Real>
 const Label& label_of(const CompiledScene<Real>& scene, Ref ref) {
   if (ref.kind() == Kind::placed) ref = scene.placed[ref.index()].shape;

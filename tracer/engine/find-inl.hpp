@@ -1,4 +1,4 @@
-// Rays of a stream, sent through the hierarchy in bundles.
+// Sends the rays of a stream through the hierarchy in bundles.
 
 #if defined(PLUMB_ENGINE_FIND_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef PLUMB_ENGINE_FIND_INL
@@ -17,7 +17,7 @@ HWY_INLINE Vec3<Real> vector_at(const Lanes3<Real>& from, std::size_t lane) {
   return {from.x[lane], from.y[lane], from.z[lane]};
 }
 
-/// Finds what rays meet first, or whether they meet anything, for one thread.
+/// Finds, for one thread, what rays meet first, or whether they meet anything.
 template <class Real>
 class Finder {
  public:
@@ -27,7 +27,8 @@ class Finder {
         size_limit_(scene.has_few_objects ? stream_size : most_of_many),
         width_limit_(widest_bundle(scene)) {}
 
-  /// Sends rays through the hierarchy in bundles that are narrow, compared with what they are to find.
+  /// Sends rays through the hierarchy in bundles that are narrow in comparison with what they are to find.
+  /// All rays end at `light`, unless it is null.
   template <bool any_hit>
   void find(Rays<Real>& rays, std::size_t begin, std::size_t size, bool knows_starts,
             const Vec3<Real>* light) {
@@ -56,7 +57,7 @@ class Finder {
     bounds.reach = static_cast<double>(hn::GetLane(hn::MaxOfLanes(Tag<Real>(), t_min)));
     const double width = width_of(bounds, world);
     if (width > width_limit_) {
-      // Evenly apart, no two of them are near enough.
+      // If the rays are evenly apart, no two of them are near enough.
       const bool are_apart = size <= lanes<Real>() && width > width_limit_ * static_cast<double>(size) / 2;
       if (are_apart) return find_each<any_hit>(rays, begin, size, knows_starts, light);
       return find_halves<any_hit>(rays, begin, size, knows_starts, light);
@@ -66,7 +67,7 @@ class Finder {
     send<any_hit>(rays, begin, size, knows_starts, bundle, bounds.reach);
   }
 
-  /// Whether all rays within some bounds certainly go past everything.
+  /// True if all rays within these bounds certainly pass everything.
   bool meets_nothing(RayBounds rays) {
     const Group& world = scene_.groups[0];
     const Vec3<double> size = glm::max(glm::abs(rays.origin_min), glm::abs(rays.origin_max));
@@ -114,14 +115,15 @@ class Finder {
     traversal.follow(scene_.groups[0], bundle, view, 0);
   }
 
-  /// A few objects are quickest tested by all rays of a stream; otherwise a bundle is no wider than some of
-  /// them.
+  /// Returns the greatest width of a bundle. A few objects are fastest tested with all rays of a stream;
+  /// otherwise a bundle is at most as wide as five typical objects.
   static double widest_bundle(const CompiledScene<Real>& scene) {
     if (scene.has_few_objects) return std::numeric_limits<double>::infinity();
     return 5 * scene.groups[0].typical_size;
   }
 
-  /// Of a bundle at its start and where it passes the middle of the scene, in the units of the world.
+  /// Returns the width of a bundle, at its start and where it passes the middle of the scene, in the units of
+  /// the world.
   static double width_of(const RayBounds& b, const Group& world) {
     const Vec3<double> center = (b.origin_min + b.origin_max) * 0.5 - world.center;
     const double way = std::max(1 / world.scale, glm::length(center));
@@ -133,7 +135,7 @@ class Finder {
     return widest * world.scale;
   }
 
-  static constexpr std::size_t most_of_many = 64;  ///< rays of a bundle where there are many objects
+  static constexpr std::size_t most_of_many = 64;  ///< most rays of a bundle where there are many objects
 
   const CompiledScene<Real>& scene_;
   Statistics& statistics_;

@@ -31,7 +31,7 @@ struct Bounds {
 /// Twice the middle of an item, along an axis.
 float middle(const Item& item, std::size_t axis) { return item.min[axis] + item.max[axis]; }
 
-/// A run of items that shall share a place in a node.
+/// A run of items that share a place in a node.
 struct Part {
   std::span<Item> items;
   Bounds bounds;
@@ -55,7 +55,7 @@ struct Bin {
   std::size_t count = 0;
 };
 
-/// Which bin a middle falls into.
+/// Tells into which bin a middle falls.
 struct Binning {
   std::size_t axis;
   float from, per_length;
@@ -65,7 +65,7 @@ struct Binning {
   }
 };
 
-/// The last bin of the left side that makes the cost least; the sum of areas times counts.
+/// Returns the last bin of the left side when the cost, a sum of areas times counts, is least.
 std::size_t best_split(const std::array<Bin, bin_count>& bins) {
   std::array<float, bin_count> cost_of_right{};
   Bin right;
@@ -89,7 +89,7 @@ std::size_t best_split(const std::array<Bin, bin_count>& bins) {
   return best;
 }
 
-/// Two parts that are not empty, of one that holds two items at least.
+/// Splits a part with at least two items into two parts that are not empty.
 std::array<Part, 2> split(const Part& part, bool in_halves) {
   std::size_t axis = 0;
   for (std::size_t k = 1; k < 3; ++k) {
@@ -114,8 +114,8 @@ std::array<Part, 2> split(const Part& part, bool in_halves) {
   return {part_of(part.items.subspan(0, left)), part_of(part.items.subspan(left))};
 }
 
-/// At most eight parts: of those that do not fit into one node, the one with the largest surface is split
-/// first.
+/// Splits into at most eight parts. Of those that do not fit into one node, it splits the one with the
+/// largest surface first.
 std::vector<Part> parts_of(const Part& all, bool in_halves) {
   std::vector<Part> parts{all};
   while (parts.size() < node_width) {
@@ -130,8 +130,8 @@ std::vector<Part> parts_of(const Part& all, bool in_halves) {
   return parts;
 }
 
-/// Parts whose items find room in the node itself give way to them, the largest surface first: nodes that are
-/// full are fewer.
+/// Replaces parts by their items where the node itself has room for these, the largest surface first. Full
+/// nodes are fewer.
 void dissolve(std::vector<Part>& parts) {
   for (;;) {
     const std::size_t room = node_width - parts.size() + 1;
@@ -161,7 +161,7 @@ Node empty_node() {
   return node;
 }
 
-/// Appends what was built apart and returns where its root came to stand.
+/// Appends nodes that were built apart. Returns where their root is now.
 Ref append(const std::vector<Node>& built, std::vector<Node>& nodes) {
   const auto offset = static_cast<std::uint32_t>(nodes.size());
   for (Node node : built) {
@@ -175,7 +175,7 @@ Ref append(const std::vector<Node>& built, std::vector<Node>& nodes) {
 
 constexpr std::size_t worth_a_task = 4096;
 
-/// Deeper, parts are halved, which bounds the depth however odd the scene is: see greatest_depth.
+/// Deeper parts are split in halves, which bounds the depth however odd the scene is: see greatest_depth.
 constexpr int best_depth = 64;
 
 /// The root is the first node that is appended.

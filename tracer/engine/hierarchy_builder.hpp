@@ -1,4 +1,4 @@
-// Builds a bounding volume hierarchy with eight children a node.
+// Builds a bounding volume hierarchy with eight children per node.
 #pragma once
 
 #include <array>
@@ -9,21 +9,21 @@
 
 namespace plumb::engine {
 
-/// Something to be found, and where: bounds in the units of its group.
+/// Something to be found, and its bounds in the units of its group.
 struct Item {
   std::array<float, 3> min;
   Ref ref;
   std::array<float, 3> max;
 };
 
-/// No leaf has more nodes above it: 64 and, with the items at least halved from one to the next, 30 more for
-/// 2^29.
+/// No leaf has more nodes above it: 64, and 30 more, each of which at least halves the items, at most 2^29.
 inline constexpr std::size_t greatest_depth = 96;
 
-/// Appends the nodes that hold all items, which are put in another order, and returns the root; nothing for
-/// no items. Top down, by the surface area heuristic over bins (Wald, "On fast Construction of SAH-based
-/// Bounding Volume Hierarchies", 2007), several splits a node (Wald, Benthin, Boulos, "Getting Rid of
-/// Packets", 2008). Large parts are built in parallel; the result is the same for every number of threads.
+/// Appends the nodes that hold all items and returns the root, or nothing for no items. Puts the items in
+/// another order. Works top down, by the surface area heuristic over bins (Wald, "On fast Construction of
+/// SAH-based Bounding Volume Hierarchies", 2007), with several splits per node (Wald, Benthin, Boulos,
+/// "Getting Rid of Packets", 2008). Builds large parts in parallel; the result is the same for every number
+/// of threads.
 Ref build_hierarchy(std::span<Item> items, std::vector<Node>& nodes);
 
 }  // namespace plumb::engine

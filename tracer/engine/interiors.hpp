@@ -6,8 +6,8 @@
 
 namespace plumb::engine {
 
-/// Many stacks of transmissive instances that share their lower parts; a stack is the number of its top.
-/// The rules are those of the lecture model: entering pushes, leaving the top bends, leaving another does
+/// Many stacks of transmissive instances, which share their lower parts. A stack is the number of its top.
+/// The rules are those of textbook::Interiors: entering pushes, leaving the top bends, leaving another does
 /// not.
 template <class Real>
 class Interiors {
@@ -15,7 +15,7 @@ class Interiors {
   static constexpr std::int32_t nothing = -1;
 
   struct Crossed {
-    std::int32_t interior;  ///< beyond the surface
+    std::int32_t interior;  ///< the stack beyond the surface
     Real ratio;             ///< eta of the side left over eta of the side reached
   };
 
@@ -32,7 +32,7 @@ class Interiors {
   }
 
   std::size_t size() const { return media_.size(); }
-  /// Forgets all stacks that were made since.
+  /// Forgets all stacks that were made since size() returned this.
   void shrink(std::size_t size) { media_.resize(size); }
 
  private:

@@ -1,7 +1,7 @@
 #include "tracer/engine/kernels.hpp"
 
 #undef HWY_TARGET_INCLUDE
-// Left out: what widest_vectors() does not choose among; it would never run.
+// Left out, because widest_vectors() never chooses them.
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SSE4 | HWY_AVX3_DL)
 #define HWY_TARGET_INCLUDE "tracer/engine/kernels.cpp"
 #include <hwy/foreach_target.h>

@@ -1,4 +1,4 @@
-// The tile renderers of one scene, for the instruction set of this processor.
+// Makes the tile renderers of one scene, for one instruction set.
 #pragma once
 
 #include <memory>
@@ -8,7 +8,7 @@
 
 namespace plumb::engine {
 
-/// One per thread. Scene and view must outlive it.
+/// Makes a renderer for one thread. Scene and view must outlive it.
 template <class Real>
 std::unique_ptr<TileRenderer<Real>> make_tile_renderer(const CompiledScene<Real>& scene,
                                                        const View<Real>& view, Vectors vectors);

@@ -1,5 +1,5 @@
-// Vectors of real numbers, and what the shading needs of them, for one instruction set.
-// Every operation rounds alike for every width: no fused multiply-add.
+// Vectors of real numbers, and what shading needs of them, for one instruction set.
+// No operation is a fused multiply-add, so that every one rounds alike for every width.
 
 #if defined(PLUMB_ENGINE_MATH_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef PLUMB_ENGINE_MATH_INL
@@ -88,7 +88,8 @@ HWY_INLINE V<Real> exact_inverse_root(V<Real> x) {
   return hn::Div(set(Real(1)), hn::Sqrt(x));
 }
 HWY_INLINE V<float> inverse_root(V<float> x) { return exact_inverse_root<float>(x); }
-/// Square roots and quotients of doubles take longest of all: two of Newton's steps from those of floats.
+/// Square roots and quotients of doubles take longest of all, so it takes those of floats and two of Newton's
+/// steps.
 HWY_INLINE V<double> inverse_root(V<double> x) {
   const hn::Rebind<float, Tag<double>> floats;
   const V<double> half = hn::Mul(x, set(0.5)), three_halves = set(1.5);
@@ -113,7 +114,7 @@ template <class Real>
 HWY_INLINE bool none(M<Real> mask) {
   return hn::AllFalse(Tag<Real>(), mask);
 }
-/// The lanes of a mask as bits.
+/// Returns the lanes of a mask as bits, the first lane lowest.
 template <class Real>
 HWY_INLINE unsigned bits_of(M<Real> mask) {
   std::uint8_t bytes[8] = {};
@@ -125,7 +126,7 @@ HWY_INLINE M<Real> first(std::size_t count) {
   return hn::FirstN(Tag<Real>(), count);
 }
 
-/// Numbers of a format that exp and log need.
+/// Numbers of a format that log_of and exp_of need.
 template <class Real>
 struct Format;
 template <>
@@ -148,7 +149,7 @@ struct Format<float> {
   static constexpr int log_terms = 5, exp_terms = 7;
 };
 
-/// Natural logarithm of x >= Format::smallest: x = 2^e f with f about 1, log f = 2 artanh((f - 1) / (f + 1)),
+/// Natural logarithm of x >= Format::smallest. x = 2^e f with f about 1; log f = 2 artanh((f - 1) / (f + 1)),
 /// by its series (Abramowitz and Stegun, 1964, 4.1.27).
 template <class Real>
 HWY_INLINE V<Real> log_of(V<Real> x) {
@@ -175,7 +176,7 @@ HWY_INLINE V<Real> log_of(V<Real> x) {
 
 constexpr double per_factorial(int n) { return n < 2 ? 1.0 : per_factorial(n - 1) / n; }
 
-/// e^x for x <= 88; 0 below Format::least_exponent. x = k ln 2 + r, e^r by its series.
+/// e^x for x <= 88; 0 below Format::least_exponent. x = k ln 2 + r; e^r is computed by its series.
 template <class Real>
 HWY_INLINE V<Real> exp_of(V<Real> x) {
   using F = Format<Real>;

@@ -1,4 +1,4 @@
-// A bundle of rays against the boxes of the hierarchy.
+// Tests a bundle of rays against the boxes of the hierarchy.
 
 #if defined(PLUMB_ENGINE_NODES_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef PLUMB_ENGINE_NODES_INL
@@ -19,7 +19,7 @@ HWY_INLINE hn::Vec<D> reached(D d, const Node& node, const Bundle::HalfLine& lin
   return hn::Mul(hn::Sub(plane, hn::Set(d, line.origin)), hn::Set(d, line.per_slope));
 }
 
-/// The places of a node that the bundle may meet, as bits, and from which t on.
+/// Returns the places of a node that the bundle may meet, as bits, and sets `entered` to the t from which on.
 HWY_INLINE unsigned places_met(const Node& node, const Bundle& bundle, float* entered) {
   const hn::CappedTag<float, node_width> d;
   unsigned met = 0;
@@ -35,7 +35,7 @@ HWY_INLINE unsigned places_met(const Node& node, const Bundle& bundle, float* en
       for (unsigned i = 0; i < bundle.enters; ++i) near = hn::Max(near, reached(d, node, bundle.line[i], at));
       for (unsigned i = bundle.enters; i < 6; ++i) far = hn::Min(far, reached(d, node, bundle.line[i], at));
     }
-    // Each t is off by three roundings at most: Ize, "Robust BVH Ray Traversal", 2013.
+    // Each t is off by at most three roundings (Ize, "Robust BVH Ray Traversal", 2013).
     const auto mask = hn::Le(near, hn::Mul(far, hn::Set(d, 1 + 8 * std::numeric_limits<float>::epsilon())));
     hn::StoreU(near, d, entered + at);
     std::uint8_t bytes[8] = {};
@@ -45,13 +45,13 @@ HWY_INLINE unsigned places_met(const Node& node, const Bundle& bundle, float* en
   return met;
 }
 
-/// Whether the bundle may meet anything below a node.
+/// True if the bundle may meet anything below a node.
 inline bool may_meet(const std::vector<Node>& nodes, std::uint32_t index, const Bundle& bundle) {
   alignas(64) float entered[node_width];
   for (unsigned met = places_met(nodes[index], bundle, entered); met != 0; met &= met - 1) {
     const Ref child = nodes[index].child[static_cast<unsigned>(__builtin_ctz(met))];
     if (child.kind() == Kind::none)
-      continue;  // a place that the bundle has come close to, far from everything
+      continue;  // an empty place, which a bundle that widens to all sides meets at infinity
     if (child.kind() != Kind::node || may_meet(nodes, child.index(), bundle)) return true;
   }
   return false;

@@ -52,7 +52,7 @@ std::size_t tiles_in(const RenderJob& job, const Settings& settings) {
   return parts(job.width, settings.tile_width) * parts(job.height, settings.tile_height);
 }
 
-/// Reports the share that is done, from one thread at a time.
+/// Reports the share that is done, by one thread at a time.
 class Progress {
  public:
   Progress(const std::function<void(double)>& show, std::size_t all) : show_(show), all_(all) {}
@@ -76,7 +76,7 @@ std::size_t bytes_of(const CompiledScene<Real>& s) {
          bytes(s.lights);
 }
 
-/// What the scene made of the engine, in words.
+/// Says in words what the scene made of the engine.
 template <class Real>
 std::string kernel_of(const CompiledScene<Real>& scene, Vectors vectors) {
   const std::size_t bits = vectors == Vectors::avx512 ? 512 : vectors == Vectors::avx2 ? 256 : 128;

@@ -7,7 +7,7 @@
 namespace plumb::engine {
 namespace {
 
-/// The binary digits of i mirrored at the point: van der Corput, 1935.
+/// Returns the binary digits of i, mirrored at the point (van der Corput, 1935).
 double radical_inverse(unsigned i) {
   double inverse = 0;
   for (double digit = 0.5; i != 0; i >>= 1, digit *= 0.5) inverse += (i & 1) != 0 ? digit : 0;

@@ -1,4 +1,4 @@
-// Where the samples of a pixel lie.
+// The places of a pixel's samples.
 #pragma once
 
 #include <vector>
@@ -7,12 +7,12 @@
 
 namespace plumb::engine {
 
-/// In shares of a pixel from its left and its top edge, 0 < x, y < 1.
+/// Shares of a pixel from its left and its top edge, 0 < x, y < 1.
 struct SamplePoint {
   double x, y;
 };
 
-/// Throws std::invalid_argument when the pattern has no such number of samples.
+/// Returns the places. Throws std::invalid_argument when the pattern has no such number of samples.
 std::vector<SamplePoint> sample_points(int samples, SamplePattern pattern);
 
 }  // namespace plumb::engine

@@ -1,4 +1,4 @@
-// What the engine chooses by itself; tests choose otherwise. No choice changes the picture.
+// What the engine chooses by itself. Tests choose otherwise; no choice changes the picture.
 #pragma once
 
 #include <cstddef>
@@ -11,14 +11,14 @@ namespace plumb::engine {
 
 struct Settings {
   Vectors vectors = widest_vectors();
-  /// Up to so many instances in all, shared composites are written out: one level is faster than two.
+  /// With at most this many instances, shared composites are written out: one level is faster than two.
   std::uint64_t most_written_out = 65536;
-  /// Up to so many objects, bundles of rays may be of any width.
+  /// With at most this many objects, bundles of rays may be of any width.
   std::size_t few_objects = 64;
-  /// false: every ray meets every shape, for measuring what the hierarchy is worth. Shared composites are
-  /// still kept once when there are more than most_written_out.
+  /// false: every ray meets every shape, to measure what the hierarchy is worth. Above most_written_out,
+  /// shared composites are still kept once.
   bool has_hierarchy = true;
-  /// Of the tiles that a thread renders at once: 1 to tile_edge.
+  /// Size of the tiles that a thread renders at once: 1 to tile_edge.
   int tile_width = tile_edge, tile_height = tile_edge;
 };
 

@@ -1,4 +1,4 @@
-// Slides "Verfolgen von Strahlen" to "Spiegelung, Brechung" for a whole tile at a time, level by level.
+// Slides "Verfolgen von Strahlen" to "Spiegelung, Brechung", for all rays of a tile at once, level by level.
 
 #if defined(PLUMB_ENGINE_SHADE_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef PLUMB_ENGINE_SHADE_INL
@@ -22,8 +22,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace plumb::engine::HWY_NAMESPACE {
 
-/// Traces and shades all rays of a level before those of the next, in the order of the textbook tracer's
-/// sums.
+/// Traces and shades all rays of a level before those of the next, and adds in the order of the textbook
+/// tracer.
 template <class Real>
 class Shader final : public TileRenderer<Real> {
  public:
@@ -57,7 +57,7 @@ class Shader final : public TileRenderer<Real> {
     return *levels_[index];
   }
 
-  /// Of all rays through a tile, to any place in its pixels; they are off by a few roundings.
+  /// Bounds all rays through a tile, to any place in its pixels. The rays are off by a few roundings.
   RayBounds bounds_of(const Tile& tile) const {
     const Vec3<double> right(view_.right), up(view_.up), forward(view_.forward), eye(view_.eye);
     RayBounds bounds{eye, eye};
@@ -77,7 +77,7 @@ class Shader final : public TileRenderer<Real> {
     return bounds;
   }
 
-  /// The sum and the mean are rounded as those of rays are.
+  /// Fills a tile. The sum and the mean are rounded as those of rays are.
   void show_background(const Tile& tile, float* rgb) {
     const auto samples = view_.samples.size();
     Rgb<Real> sum = scene_.background;
@@ -130,14 +130,14 @@ class Shader final : public TileRenderer<Real> {
     }
   }
 
-  /// Slide "Kameramodell", formulas::image_plane_point: one ray through each pixel, at the same place in all
-  /// of them. Neighbours in the stream are neighbours in the picture: every 8 rays, 16, 64 are a block. The
-  /// parent of a camera ray is its pixel in the tile.
+  /// Slide "Kameramodell", formulas::image_plane_point: makes one ray through each pixel, at the same place
+  /// in all of them. Neighbours in the stream are neighbours in the picture: every 8, 16 or 64 rays are a
+  /// block. The parent of a camera ray is its pixel in the tile.
   std::size_t start_tile(const Tile& tile, const SamplePoint& sample) {
     Level<Real>& level = level_at(0);
     const std::size_t size = number_pixels(tile, level);
     // In units of the plane's width: x - 1/2, and (1/2 - y) * height / width, each exactly 0 in the middle.
-    // The whole numbers are added first, exactly: so a ray does not depend on the tile that its pixel is in.
+    // The whole numbers are added first and exactly, so that a ray does not depend on its pixel's tile.
     const V<Real> pixel = set(1 / static_cast<Real>(view_.width));
     const V<Real> left = set(static_cast<Real>(tile.x)), above = set(static_cast<Real>(tile.y));
     const V<Real> in_x = set(static_cast<Real>(sample.x)), in_y = set(static_cast<Real>(sample.y));
@@ -156,7 +156,7 @@ class Shader final : public TileRenderer<Real> {
     }
     return size;
   }
-  /// Where the rays of a tile are in it: those of a whole one as they are known.
+  /// Sets the place of each ray in the tile, unless it is known, and returns the number of rays.
   std::size_t number_pixels(const Tile& tile, Level<Real>& level) {
     const bool is_whole = tile.width == tile_edge && tile.height == tile_edge;
     if (is_whole && knows_whole_tile_) return tile_pixels.size();
@@ -171,7 +171,7 @@ class Shader final : public TileRenderer<Real> {
     knows_whole_tile_ = is_whole;
     return size;
   }
-  /// A ray is no surer of its origin than the one that found it.
+  /// Sets t_min. A ray is no surer of its origin than the ray that found it.
   HWY_INLINE void store_start(Rays<Real>& rays, std::size_t i, const V3<Real>& origin, V<Real> found_by) {
     const V<Real> size = hn::Max(hn::Max(hn::Abs(origin.x), hn::Abs(origin.y)), hn::Abs(origin.z));
     store<Real>(hn::Max(hn::Mul(size, set(formulas::resolution<Real>())), found_by), &rays.t_min[i]);
@@ -265,14 +265,15 @@ class Shader final : public TileRenderer<Real> {
     }
   }
 
-  /// Up to where something hides a light at that distance; greater than 0, for a light that is there at once.
+  /// Returns the t up to which something hides a light at that distance. It is above 0 even for a light at
+  /// the start.
   static HWY_INLINE V<Real> before_light(V<Real> distance, V<Real> t_min) {
     const V<Real> one_place = hn::Add(t_min, hn::Mul(set(formulas::resolution<Real>()), distance));
     return hn::Max(hn::Sub(distance, one_place), set(std::numeric_limits<Real>::min()));
   }
 
-  /// Rays that leave one object stay close to each other on their way to the light, wherever in the tile
-  /// they are; the numbers of objects follow their places in space.
+  /// Sends the rays object by object. Those that leave one object stay close to each other on their way to
+  /// the light, wherever in the tile they are. The numbers of objects follow their places in space.
   HWY_NOINLINE void find_by_object(const Level<Real>& level, const Vec3<Real>& light) {
     const std::size_t runs = runs_of_one_object(level);
     std::sort(runs_.begin(), runs_.begin() + static_cast<std::ptrdiff_t>(runs));
@@ -284,7 +285,8 @@ class Shader final : public TileRenderer<Real> {
     finder_.template find<true>(sorted_, 0, size, true, &light);
     for (std::size_t to = 0; to < size; ++to) shadow_.rays.t[from_[to]] = sorted_.t[to];
   }
-  /// Each as its object, its first ray, and the one after its last.
+  /// Packs each run into one word: its object, its first ray, and the ray after its last. Returns their
+  /// number.
   std::size_t runs_of_one_object(const Level<Real>& level) {
     std::size_t runs = 0;
     for (std::size_t i = 0; i < level.size;) {
@@ -295,7 +297,7 @@ class Shader final : public TileRenderer<Real> {
     }
     return runs;
   }
-  /// Those of a vector of rays that look for something go next to each other; how many they are.
+  /// Appends the rays of a vector that look for something to sorted_, and returns how many they are.
   HWY_INLINE std::size_t take(std::size_t i, std::size_t count, std::size_t to) {
     const Rays<Real>& rays = shadow_.rays;
     const V<Real> t = load(&rays.t[i]);
@@ -325,7 +327,7 @@ class Shader final : public TileRenderer<Real> {
     return kept - to;
   }
 
-  /// kd (l.n) + ks (r.v)^m.
+  /// Returns kd (l.n) + ks (r.v)^m.
   HWY_INLINE V3<Real> reflected(const Level<Real>& level, std::size_t i) const {
     const MaterialLanes<Real> material(scene_.materials, &level.material[i], level.is_of_one[i]);
     const V<Real> zero = set(Real(0));
@@ -343,11 +345,12 @@ class Shader final : public TileRenderer<Real> {
     return add<Real>(diffuse, scaled<Real>(ks, factor));
   }
 
-  /// Slide "Schatten" with glass that lets light through: what is opaque hides, glass multiplies.
+  /// Slide "Schatten" with glass that lets light through: what is opaque hides the light, glass multiplies
+  /// it.
   void look_through_glass(const Level<Real>& level) {
     const auto walking_rays = std::make_unique<Rays<Real>>(shadow_.rays);
     Rays<Real>& walk = *walking_rays;
-    Lanes<Real> left = walk.t;  // to the light
+    Lanes<Real> left = walk.t;  // distance to the light
     Lanes<std::uint8_t> state{};
     enum : std::uint8_t { walking, lit, hidden };
     for (std::size_t i = 0; i < level.size; ++i) {
@@ -387,7 +390,7 @@ class Shader final : public TileRenderer<Real> {
     }
     for (std::size_t i = 0; i < level.size; ++i) shadow_.rays.t[i] = state[i] == lit ? Real(1) : Real(-1);
   }
-  /// A ray starts anew from what it has hit.
+  /// Makes a ray start anew from what it has hit.
   static void go_ahead(Rays<Real>& walk, std::size_t i) {
     walk.origin.x[i] += walk.t[i] * walk.direction.x[i];
     walk.origin.y[i] += walk.t[i] * walk.direction.y[i];
@@ -402,7 +405,7 @@ class Shader final : public TileRenderer<Real> {
     return formulas::resolution<Real>() * std::max({size.x, size.y, size.z});
   }
 
-  /// Slide "Spiegelung, Brechung": the next level, as often as it fills.
+  /// Slide "Spiegelung, Brechung": fills the next level, and traces it each time it is full and at the end.
   void send_on(std::size_t index) {
     Level<Real>& level = *levels_[index];
     level_at(index + 1).size = 0;
@@ -500,12 +503,12 @@ class Shader final : public TileRenderer<Real> {
   Rays<Real> sorted_;
   Lanes<std::uint64_t> runs_;
   Lanes<std::uint16_t> from_;
-  Lanes3<Real> sum_;               ///< of the samples of a tile
-  Lanes<Real> pixel_x_, pixel_y_;  ///< of the rays of a tile, from its corner
-  bool knows_whole_tile_ = false;  ///< whether they, and the parents of camera rays, are of one
-  Lanes3<Real> delta_;             ///< of lights seen through glass
+  Lanes3<Real> sum_;               ///< sum of the samples of a tile
+  Lanes<Real> pixel_x_, pixel_y_;  ///< places of a tile's rays, from its corner
+  bool knows_whole_tile_ = false;  ///< true if they, and the parents of camera rays, are those of a full tile
+  Lanes3<Real> delta_;             ///< for lights that are seen through glass
   Interiors<Real> interiors_;
-  std::int32_t around_the_eye_ = Interiors<Real>::nothing;  // of every ray, unless the eye lies on glass
+  std::int32_t around_the_eye_ = Interiors<Real>::nothing;  // for every ray, unless the eye lies on glass
   std::size_t media_around_the_eye_ = 0;
   Statistics statistics_;
   Surfaces<Real> surfaces_;

@@ -1,4 +1,5 @@
-// A vector of rays against one shape: slides "Kugel" and "Quader" as in tracer/formulas, side by side.
+// A vector of rays against one shape: slides "Kugel" and "Quader" as in tracer/formulas, several rays at
+// once.
 
 #if defined(PLUMB_ENGINE_SHAPES_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef PLUMB_ENGINE_SHAPES_INL
@@ -12,7 +13,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace plumb::engine::HWY_NAMESPACE {
 
-/// Lanes that meet the shape at some t > t_min, the smallest, and where.
+/// The lanes that meet the shape at some t > t_min, and the smallest such t.
 template <class Real>
 struct Met {
   M<Real> mask;
@@ -20,11 +21,11 @@ struct Met {
   W<Real> face;  ///< of a box
 };
 
-/// What a grazed surface does not tell apart, in the space of the shape: as in formulas::plane_crossed_at.
+/// What a grazed surface cannot tell apart, in the space of the shape, as in formulas::plane_crossed_at.
 template <class Real>
 struct Grazing {
-  Vec3<Real> few_roundings;  ///< of a direction of the world, along each axis
-  Real most;                 ///< along any direction: their sum
+  Vec3<Real> few_roundings;  ///< of a world direction, along each axis
+  Real most;                 ///< their sum, enough for any direction
 
   explicit Grazing(const Vec3<Real>& world_length)
       : few_roundings(world_length * formulas::grazing_slope<Real>()),
@@ -36,24 +37,24 @@ struct Grazing {
 template <class Real>
 struct RayVector {
   V3<Real> origin, direction;
-  V<Real> t_min;      ///< rounding cannot tell hits up to here from the origin
+  V<Real> t_min;      ///< by rounding, a hit up to this t cannot be told from the origin
   const Real* known;  ///< t of a light ahead, or of the nearest hit so far
   const Grazing<Real>* grazing;
-  bool may_graze;  ///< whether a lane may graze a plane of a box
-  bool is_unit;    ///< directions
-  bool any_own;    ///< whether a lane starts on the shape
-  M<Real> own;     ///< those that do
+  bool may_graze;  ///< true if a lane may graze a plane of a box
+  bool is_unit;    ///< true if directions have unit length
+  bool any_own;    ///< true if a lane starts on the shape
+  M<Real> own;     ///< the lanes that do
   W<Real> own_face;
 };
 
-/// formulas::one_place.
+/// Is formulas::one_place for vectors.
 template <class Real>
 HWY_INLINE V<Real> one_place(const RayVector<Real>& ray, V<Real> t) {
   return hn::Add(ray.t_min, hn::Mul(set(formulas::resolution<Real>()), t));
 }
 
-/// A quarter of the lecture's, as in formulas::intersect_sphere: a (r^2 - d^2), d the centre's distance from
-/// the line. half_b^2 - a c cancels where a sphere is small and far.
+/// A quarter of the lecture's discriminant, as in formulas::intersect_sphere: a (r^2 - d^2), where d is the
+/// distance of the centre from the line. half_b^2 - a c cancels where a sphere is small and far.
 template <class Real>
 HWY_INLINE V<Real> discriminant_of(const RayVector<Real>& ray, const Sphere<Real>& sphere,
                                    const V3<Real>& offset, V<Real> half_b, V<Real> a) {
@@ -63,7 +64,7 @@ HWY_INLINE V<Real> discriminant_of(const RayVector<Real>& ray, const Sphere<Real
   return ray.is_unit ? room : hn::Mul(a, room);
 }
 
-/// formulas::sphere_crossed_at.
+/// Is formulas::sphere_crossed_at for vectors.
 template <class Real>
 HWY_NOINLINE V<Real> crossed_at(RayVector<Real> ray, V3<Real> offset, Real radius, V<Real> root, V<Real> t) {
   const auto from_center = [&](V<Real> at)
@@ -86,7 +87,7 @@ HWY_NOINLINE V<Real> crossed_at(RayVector<Real> ray, V3<Real> offset, Real radiu
   return hn::IfThenElse(is_here, zero, hn::IfThenElse(is_there, t_known, t));
 }
 
-/// formulas::intersect_sphere.
+/// Is formulas::intersect_sphere for vectors.
 template <class Real>
 HWY_INLINE Met<Real> meet(const RayVector<Real>& ray, const Sphere<Real>& sphere) {
   const V<Real> zero = set(Real(0));
@@ -117,20 +118,20 @@ HWY_INLINE Met<Real> meet(const RayVector<Real>& ray, const Sphere<Real>& sphere
   return {hn::And(mask, hn::Gt(t, ray.t_min)), t, hn::Zero(WordTag<Real>())};
 }
 
-/// The planes of one axis, entered and left.
+/// Where rays enter and leave the space between two planes of one axis.
 template <class Real>
 struct Slab {
   V<Real> enter, leave;
   M<Real> is_missed;
 };
 
-/// Up to here a component is 0 by formulas::is_parallel; of few_roundings as Grazing has them.
+/// Returns the greatest component that is 0 by formulas::is_parallel. `few_roundings` is as Grazing has it.
 template <class Real>
 constexpr Real parallel_slope(Real few_roundings) {
   return few_roundings * (16 * std::numeric_limits<Real>::epsilon() / formulas::grazing_slope<Real>());
 }
 
-/// 1 / v, and infinity where a component is 0 by formulas::is_parallel.
+/// Returns 1 / v, or infinity where a component is 0 by formulas::is_parallel.
 template <class Real>
 HWY_INLINE V3<Real> inverses(const V3<Real>& v, const Grazing<Real>& grazing) {
   const V<Real> one = set(Real(1)), infinite = set(std::numeric_limits<Real>::infinity());
@@ -142,7 +143,7 @@ HWY_INLINE V3<Real> inverses(const V3<Real>& v, const Grazing<Real>& grazing) {
           hn::IfThenElse(hn::Le(hn::Abs(v.z), least.z), infinite, hn::Div(one, v.z))};
 }
 
-/// Of one axis.
+/// The components of a vector of rays along one axis.
 template <class Real>
 struct RayAlong {
   V<Real> origin, direction, per_direction;
@@ -161,7 +162,7 @@ HWY_INLINE M<Real> grazes(const RayAlong<Real>& along) {
   return hn::Le(hn::Abs(along.direction), set(along.few_roundings));
 }
 
-/// formulas::plane_crossed_at.
+/// Is formulas::plane_crossed_at for vectors.
 template <class Real>
 HWY_INLINE V<Real> crossed_at(const RayVector<Real>& ray, const RayAlong<Real>& along, Real plane) {
   const V<Real> few = set(along.few_roundings), t_known = load(ray.known);
@@ -174,7 +175,7 @@ HWY_INLINE V<Real> crossed_at(const RayVector<Real>& ray, const RayAlong<Real>& 
   return hn::IfThenElse(is_here, hn::Zero(Tag<Real>()), hn::IfThenElse(is_there, t_known, t));
 }
 
-/// The same slab, where some lanes graze its planes or are parallel to them.
+/// Computes the same slab where some lanes graze its planes or are parallel to them.
 template <class Real>
 HWY_NOINLINE Slab<Real> seen_closely(RayVector<Real> ray, RayAlong<Real> along, Real low, Real high) {
   Slab<Real> found;
@@ -190,7 +191,7 @@ HWY_NOINLINE Slab<Real> seen_closely(RayVector<Real> ray, RayAlong<Real> along, 
   return found;
 }
 
-/// The face of an axis that a ray enters by (or leaves by).
+/// Returns the face of an axis by which a ray enters (or leaves).
 template <class Real>
 HWY_INLINE W<Real> face_of(V<Real> direction, unsigned axis, bool entered) {
   const WordTag<Real> w;
@@ -204,7 +205,7 @@ template <class Real>
 HWY_INLINE M<Real> starts_on_face(const RayVector<Real>& ray, W<Real> face) {
   return hn::And(ray.own, hn::RebindMask(Tag<Real>(), hn::Eq(ray.own_face, face)));
 }
-/// The lanes that start on a face of the box and move away from it, or along it.
+/// Returns the lanes that start on a face of the box and move away from it, or along it.
 template <class Real>
 HWY_INLINE M<Real> leaves_own_box(const RayVector<Real>& ray) {
   const auto leaves = [&](V<Real> direction, Real few_roundings, unsigned axis) HWY_ATTR {
@@ -217,7 +218,7 @@ HWY_INLINE M<Real> leaves_own_box(const RayVector<Real>& ray) {
                 leaves(ray.direction.z, few.z, 2));
 }
 
-/// formulas::intersect_box.
+/// Is formulas::intersect_box for vectors.
 template <class Real>
 HWY_INLINE Met<Real> meet(const RayVector<Real>& ray, const V3<Real>& per_direction, const Box<Real>& box) {
   const WordTag<Real> w;
@@ -239,7 +240,8 @@ HWY_INLINE Met<Real> meet(const RayVector<Real>& ray, const V3<Real>& per_direct
   M<Real> is_missed = hn::Or(hn::Or(x.is_missed, y.is_missed), z.is_missed);
   if (ray.any_own) {
     const auto starts_on = [&](W<Real> face) HWY_ATTR { return starts_on_face(ray, face); };
-    // What starts on the face where it would leave moves away; where it would enter, it is there.
+    // A ray moves away if it starts on the face where it would leave. On the face where it would enter, t is
+    // 0.
     is_missed = hn::Or(is_missed, leaves_own_box(ray));
     x.enter = hn::IfThenElse(starts_on(face_of<Real>(d.x, 0, true)), zero, x.enter);
     y.enter = hn::IfThenElse(starts_on(face_of<Real>(d.y, 1, true)), zero, y.enter);

@@ -1,4 +1,4 @@
-// What a render did.
+// Counts what a render did.
 #pragma once
 
 #include <cstddef>
@@ -12,11 +12,11 @@ namespace plumb::engine {
 struct Statistics {
   std::uint64_t camera_rays = 0, shadow_rays = 0, mirrored_rays = 0, refracted_rays = 0;
   std::uint64_t bundles = 0;      ///< groups of rays that went through the hierarchy together
-  std::uint64_t nodes = 0;        ///< met by bundles
-  std::uint64_t shape_tests = 0;  ///< vectors of rays against a shape
+  std::uint64_t nodes = 0;        ///< nodes that bundles met
+  std::uint64_t shape_tests = 0;  ///< tests of a vector of rays against a shape
   Seconds build, render;
-  std::size_t bytes = 0, objects = 0;  ///< of the compiled scene; what is shared counts once
-  std::string kernel;                  ///< which was chosen, and why
+  std::size_t bytes = 0, objects = 0;  ///< of the compiled scene; shared parts count once
+  std::string kernel;                  ///< name of what was chosen, and why
 
   void add_counts(const Statistics& other) {
     camera_rays += other.camera_rays;

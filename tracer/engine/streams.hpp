@@ -1,4 +1,4 @@
-// Rays side by side, as vectors read them.
+// Rays side by side, as vectors load them.
 #pragma once
 
 #include <array>
@@ -10,9 +10,10 @@
 
 namespace plumb::engine {
 
-/// Rays of a tile, and of every level of the recursion: a power of two, so that a tile is a square.
+/// Number of rays of a tile, and of every level of the recursion. It is a power of two, so that a tile is a
+/// square.
 inline constexpr std::size_t stream_size = 256;
-/// Vectors may read beyond the last ray.
+/// Number of lanes that vectors may read beyond the last ray.
 inline constexpr std::size_t widest_vector = 16;
 
 template <class T>
@@ -30,30 +31,31 @@ struct alignas(64) Lanes3 {
 /// Rays of unit direction, where they start, and what they meet first.
 template <class Real>
 struct Rays {
-  Lanes3<Real> origin, direction, per_direction;  ///< the last, 1 / direction, for whom meets a box
-  Lanes<Real> t_min;                              ///< hits up to here are the start, by rounding
+  Lanes3<Real> origin, direction, per_direction;  ///< the last is 1 / direction, for rays that meet boxes
+  Lanes<Real> t_min;                              ///< by rounding, a hit up to this t is the start
   Lanes<Real> t;                                  ///< of the nearest hit, or infinity
   Lanes<Word<Real>> ref, face;                    ///< what was hit; 0 for nothing
   Lanes<Word<Real>> start, start_face;            ///< the surface that the ray leaves; 0 for none
-  Lanes<std::uint64_t> instance, start_instance;  ///< of hit and start, counted in the world
+  Lanes<std::uint64_t> instance, start_instance;  ///< numbers of hit and start in the world
 };
 
-/// What shading adds: one level of the recursion.
+/// One level of the recursion: its rays, and what shading adds to them.
 template <class Real>
 struct Level {
   Rays<Real> rays;
   std::size_t size = 0;
   Lanes3<Real> point, normal, colour;
   Lanes<std::uint32_t> material;
-  Lanes<bool> is_of_one;  ///< at the first lane of a vector: whether all have one material
-  // How the colour goes into the one of the ray that sent this one out.
+  Lanes<bool> is_of_one;  ///< at the first lane of a vector: true if all its lanes have one material
+  // How the colour enters that of the ray that sent this one out.
   Lanes<std::uint32_t> parent;
   Lanes3<Real> weight;
   Lanes<std::uint16_t> depth, unbent;
-  Lanes<std::int32_t> interior;  ///< the media around: see Interiors
+  Lanes<std::int32_t> interior;  ///< the stack of media around, see Interiors
 };
 
-/// Rays to one light: t is its distance, or negative when there is nothing to ask, or when it is hidden.
+/// Rays to one light. t is its distance; it is negative when there is nothing to ask, or once the light is
+/// hidden.
 template <class Real>
 struct ShadowRays {
   Rays<Real> rays;

@@ -1,4 +1,4 @@
-// What rays have hit: normals and materials.
+// Finds normals and materials of what rays have hit.
 
 #if defined(PLUMB_ENGINE_SURFACES_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef PLUMB_ENGINE_SURFACES_INL
@@ -13,7 +13,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace plumb::engine::HWY_NAMESPACE {
 
-/// One number of each lane's material.
+/// Loads numbers of the material of each lane.
 template <class Real>
 class MaterialLanes {
  public:
@@ -47,13 +47,13 @@ class MaterialLanes {
   hn::Vec<Signed> indices_;
 };
 
-/// What shading needs to know of the hits of a scene.
+/// Finds what shading needs to know of the hits in a scene.
 template <class Real>
 class Surfaces {
  public:
   explicit Surfaces(const CompiledScene<Real>& scene) : scene_(scene) {}
 
-  /// Outward normals, of any length, and materials of what a vector of rays has hit.
+  /// Sets outward normals, of any length, and materials of what a vector of rays has hit.
   HWY_INLINE void set_normals(Level<Real>& level, std::size_t i, const V3<Real>& point) {
     const WordTag<Real> w;
     const std::size_t count = std::min(lanes<Real>(), level.size - i);
@@ -114,7 +114,8 @@ class Surfaces {
     return {glm::dot(inverse.x, n), glm::dot(inverse.y, n), glm::dot(inverse.z, n)};
   }
 
-  /// Slide "Composite, DAG": the normal of a hit in the space of a group, through all matrices on its path.
+  /// Slide "Composite, DAG": returns a hit's normal in the space of a group, through all matrices on its
+  /// path.
   Vec3<Real> normal_in(const Group& group, std::uint64_t instance, const Vec3<Real>& origin,
                        const Vec3<Real>& direction, Real t, Ref ref, Face face) const {
     const auto begin = scene_.members.begin() + group.first_member, end = begin + group.members;

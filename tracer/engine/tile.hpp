@@ -1,4 +1,4 @@
-// What a tile needs to be rendered, and the functions that do it for one instruction set each.
+// What rendering a tile needs. The functions that render one exist once per instruction set.
 #pragma once
 
 #include <array>
@@ -27,7 +27,7 @@ struct View {
   RenderOptions options;
 };
 
-/// Pixels x to x + width, y to y + height, at most tile_edge each.
+/// The pixels from x to x + width and from y to y + height, at most tile_edge each way.
 struct Tile {
   int x, y, width, height;
 };
@@ -37,7 +37,7 @@ struct TilePixel {
   std::uint8_t x, y;
 };
 
-/// The pixels of a whole tile along Morton's curve: every 8, 16, 64 in a row are a block of the picture.
+/// The pixels of a complete tile along Morton's curve: every 8, 16 or 64 in a row are a block of the picture.
 inline constexpr std::array<TilePixel, pixels_of_tile> tile_pixels = [] {
   constexpr auto even_bits = [](unsigned i) {
     return static_cast<std::uint8_t>((i & 1) | (i >> 1 & 2) | (i >> 2 & 4) | (i >> 3 & 8));
@@ -56,7 +56,7 @@ class TileRenderer {
   TileRenderer(const TileRenderer&) = delete;
   TileRenderer& operator=(const TileRenderer&) = delete;
 
-  /// Linear colours, r g b interleaved, row by row of the tile.
+  /// Writes the tile's linear colours to `rgb`: r g b interleaved, row by row of the tile.
   virtual void render(const Tile& tile, float* rgb) = 0;
   virtual const Statistics& statistics() const = 0;
 };

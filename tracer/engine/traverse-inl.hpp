@@ -1,4 +1,4 @@
-// The way of rays through the hierarchy: the core loop.
+// Takes rays through the hierarchy: the core loop.
 
 #if defined(PLUMB_ENGINE_TRAVERSE_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef PLUMB_ENGINE_TRAVERSE_INL
@@ -17,7 +17,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace plumb::engine::HWY_NAMESPACE {
 
-/// Rays as a group sees them, from the first of a bundle on.
+/// Rays in the space of a group, from the first of a bundle on.
 template <class Real>
 struct RayView {
   const Lanes3<Real>* origin;
@@ -25,12 +25,12 @@ struct RayView {
   Lanes3<Real>* per_direction;
   std::size_t begin;
   bool is_unit;
-  bool has_inverses = false;  ///< whether per_direction is set for the rays of the bundle
+  bool has_inverses = false;  ///< true if per_direction is set for the rays of the bundle
   Grazing<Real> grazing{Vec3<Real>(1)};
-  bool may_graze = true;  ///< as in RayVector; known with the inverses
+  bool may_graze = true;  ///< as in RayVector; known once the inverses are
 };
 
-/// Rays within a group that has a matrix.
+/// Rays in the space of a group that has a matrix.
 template <class Real>
 struct LocalRays {
   Lanes3<Real> origin, direction, per_direction;
@@ -46,13 +46,13 @@ HWY_INLINE V3<Real> transformed_point(const Affine<Real>& m, const V3<Real>& p) 
   return add<Real>(transformed_vector<Real>(m, p), set3(m.origin));
 }
 
-/// formulas::absolute_product.
+/// Is formulas::absolute_product for an Affine.
 template <class Real>
 HWY_INLINE Vec3<Real> absolute_product(const Affine<Real>& m, const Vec3<Real>& v) {
   return glm::abs(m.x) * v.x + glm::abs(m.y) * v.y + glm::abs(m.z) * v.z;
 }
 
-/// Bounds of the rays whose lanes a mask keeps; the others do not count.
+/// Bounds of vectors in the lanes that a mask keeps.
 template <class Real>
 class BoundsOfRays {
  public:
@@ -90,7 +90,7 @@ struct Waiting {
   float t;
 };
 
-/// What a thread needs on the way down, through all groups: a stack, and the rays of each nested group.
+/// What a thread needs on its way down through all groups: a stack, and the rays of each nested group.
 template <class Real>
 struct Workspace {
   std::vector<Waiting> nodes;
@@ -105,7 +105,8 @@ struct Workspace {
   void leave_group() { --nested; }
 };
 
-/// Finds what a bundle of rays meets: the nearest hit of each, or (any_hit) whether anything lies before t.
+/// Finds what a bundle of rays meets: the nearest hit of each or, with any_hit, whether anything lies before
+/// t.
 template <class Real, bool any_hit>
 class Traversal {
  public:
@@ -145,7 +146,7 @@ class Traversal {
     workspace_.size = bottom;
   }
 
-  /// The largest t of the bundle: how far any of its rays still looks.
+  /// Returns the largest t of the bundle: how far any of its rays still looks.
   Real farthest() const {
     V<Real> all = set(-std::numeric_limits<Real>::infinity());
     for (std::size_t i = 0; i < size_; i += lanes<Real>())
@@ -155,7 +156,7 @@ class Traversal {
   }
 
  private:
-  /// The nearest is taken first.
+  /// Puts a node on the stack. The nearest one is taken first.
   HWY_INLINE void wait_for(Waiting node, std::size_t inner) {
     Waiting* const nodes = workspace_.nodes.data();
     std::size_t to = workspace_.size++;
@@ -181,7 +182,7 @@ class Traversal {
         changed = meet_group(scene_.members[child.index()], view, first);
         break;
       default:
-        return;  // an empty place that the bundle has come too close to, far from everything
+        return;  // an empty place, see may_meet()
     }
     if (changed) limit(bundle);
   }
@@ -222,7 +223,7 @@ class Traversal {
     return hits_ != hits;
   }
 
-  /// All rays of the bundle against one shape; whether anything nearer was found.
+  /// Tests all rays of the bundle against one shape. Returns whether it found anything nearer.
   HWY_INLINE bool meet_shape(Ref shape, Ref ref, const Affine<Real>* object_from_group, RayView<Real>& view,
                              std::uint64_t first) {
     const std::uint64_t instance = first + label_of(scene_, shape).instance;
@@ -271,12 +272,12 @@ class Traversal {
             hn::Zero(WordTag<Real>())};
   }
 
-  /// The lanes that look for something: those within the bundle whose t is not negative.
+  /// Returns the lanes that look for something: those within the bundle whose t is not negative.
   HWY_INLINE M<Real> is_asked(std::size_t i) const {
     return hn::And(HWY_NAMESPACE::first<Real>(size_ - i), hn::Ge(load(&rays_.t[begin_ + i]), set(Real(0))));
   }
 
-  /// Whether all rays start on a face of this box and go away from it, as from a floor to the lights.
+  /// True if all rays start on a face of this box and go away from it, as from a floor to the lights.
   HWY_INLINE bool all_leave(Ref box, std::uint64_t instance, const RayView<Real>& view) const {
     for (std::size_t i = 0; i < size_; i += lanes<Real>()) {
       RayVector<Real> ray = ray_vector(view, i);
@@ -299,7 +300,7 @@ class Traversal {
     view.may_graze = !none<Real>(grazes);
   }
 
-  /// Which lanes start on this very shape, of this very instance.
+  /// Finds the lanes that start on this very shape, of this very instance.
   HWY_INLINE void set_own(RayVector<Real>& ray, Ref ref, std::uint64_t instance, std::size_t i) const {
     const WordTag<Real> w;
     const auto starts = hn::LoadU(w, &rays_.start[begin_ + i]);
@@ -316,8 +317,8 @@ class Traversal {
     ray.any_own = !none<Real>(own);
   }
 
-  /// Keeps what is nearer than all so far. What rounding cannot tell apart is one place, and the first
-  /// instance is taken (as the textbook tracer does it).
+  /// Keeps hits that are nearer than those so far. What rounding cannot tell apart is one place, where the
+  /// first instance is taken, as the textbook tracer does it.
   HWY_INLINE void accept(const Met<Real>& met, Ref ref, std::uint64_t instance, std::size_t i, bool is_box) {
     const WordTag<Real> w;
     Real* const best = &rays_.t[begin_ + i];
@@ -352,7 +353,7 @@ class Traversal {
     }
   }
 
-  /// The lanes of a tie whose instance so far comes first.
+  /// Returns the lanes of a tie whose instance so far comes first.
   HWY_NOINLINE M<Real> later(M<Real> is_tie, std::uint64_t instance, std::size_t i) const {
     alignas(64) Word<Real> known_first[widest_vector] = {};
     for (std::size_t lane = 0; lane < lanes<Real>(); ++lane)
@@ -360,7 +361,7 @@ class Traversal {
     return hn::And(is_tie, hn::MaskFromVec(hn::BitCast(Tag<Real>(), hn::Load(WordTag<Real>(), known_first))));
   }
 
-  /// Of what a ray has hit so far.
+  /// Returns the instance that a ray has hit so far.
   std::uint64_t instance_of(std::size_t lane) const {
     if (scene_.needs_instances) return rays_.instance[lane];
     const Ref ref(static_cast<std::uint32_t>(rays_.ref[lane]));
@@ -372,7 +373,7 @@ class Traversal {
   Rays<Real>& rays_;
   std::size_t begin_, size_;
   bool knows_starts_;
-  double t_min_;  ///< the largest of the rays
+  double t_min_;  ///< the largest of all rays
   Workspace<Real>& workspace_;
   Statistics& statistics_;
   std::uint64_t hits_ = 0;
