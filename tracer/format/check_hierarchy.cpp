@@ -30,7 +30,7 @@ struct Size {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// No sum of four products of such numbers overflows on the way, rounding included.
+/// True if no sum of four products of such numbers overflows on the way, rounding included.
 bool is_safe(const Size& size) {
   constexpr double most = std::numeric_limits<double>::max() / 16;
   return size.linear <= most && size.offset <= most;
@@ -46,7 +46,7 @@ Size size_of(const Mat4<double>& m) {
   return size;
 }
 
-/// Of `then` after `first`: |A2 A1| <= |A2| |A1| and |A2 t1 + t2| <= |A2| |t1| + |t2|.
+/// Returns the bounds of `then` after `first`: |A2 A1| <= |A2| |A1| and |A2 t1 + t2| <= |A2| |t1| + |t2|.
 Size composed(const Size& then, const Size& first) {
   const Size size{then.linear * first.linear, then.linear * first.offset + then.offset};
   return is_safe(size) ? size : Size{infinity, infinity};
@@ -99,7 +99,7 @@ std::string too_many() {
          " spheres, boxes and composites (shared children counted each time), expected fewer";
 }
 
-/// Of each root.
+/// Checks each root.
 std::vector<HierarchyError> size_errors(const Scene& scene, const std::vector<ShapeId>& children_first) {
   std::vector<std::uint32_t> depth(scene.shapes.size(), 0);
   std::vector<std::uint64_t> count(scene.shapes.size(), 1);

@@ -8,7 +8,7 @@
 
 namespace plumb {
 
-/// Meaning of one number after ka, kd and ks of a material.
+/// The meaning of one number after ka, kd and ks of a material.
 enum class MaterialField {
   shininess,     ///< m
   reflection,    ///< kr, grey
@@ -25,26 +25,27 @@ enum class TransformOrder {
   trs,   ///< M = T R S whatever the order of the lines
 };
 
-/// Meaning of the nine numbers of a light.
+/// The meaning of a light's nine numbers.
 enum class NineNumbers { refused, la_ld, brightness_rgb };
 
 struct Dialect {
   std::vector<MaterialField> material{MaterialField::shininess};
   TransformOrder order = TransformOrder::pre;
-  bool loose = false;             ///< spellings that cannot be misread
-  bool light_color = false;       ///< a light of six numbers: position, colour
-  bool la_ld_brightness = false;  ///< a light of ten: position, La, Ld, brightness
+  bool loose = false;             ///< accepts spellings that cannot be misread
+  bool light_color = false;       ///< accepts a light of six numbers: position, colour
+  bool la_ld_brightness = false;  ///< accepts a light of ten: position, La, Ld, brightness
   NineNumbers nine = NineNumbers::refused;
 };
 
-/// Reads names joined by commas, e.g. "loose,refl-opacity-ior,post".
-/// Throws std::invalid_argument naming the part that is unknown and what there is.
+/// Reads names joined by commas, e.g. "loose,refl-opacity-ior,post". Throws std::invalid_argument naming the
+/// unknown part and all known ones.
 Dialect parse_dialect(std::string_view names);
 
-/// Name and meaning of every part, for --help.
+/// Returns name and meaning of every part, one per line, for --help.
 std::string describe_dialects();
 
-/// Material layouts that people are known to use for so many numbers after m, the commonest first.
+/// Returns the material layouts that people are known to use for this number of values after m, commonest
+/// first.
 std::vector<std::string> known_material_layouts(std::size_t numbers_after_m);
 
 }  // namespace plumb

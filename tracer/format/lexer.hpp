@@ -11,8 +11,8 @@ struct Token {
   int column;  ///< from 1, in bytes
 };
 
-/// Sets the tokens to those of one line up to a `#`; blanks, tabs and carriage returns separate.
-/// A token that begins with `//` ends the line, too, and becomes the last token.
+/// Replaces `tokens` by those of one line, up to a `#`. Blanks, tabs and carriage returns separate them. A
+/// token that begins with `//` ends the line, too, and becomes the last token. Tokens point into the line.
 void tokenize(std::string_view line, std::vector<Token>& tokens);
 
 }  // namespace plumb

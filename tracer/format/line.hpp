@@ -1,4 +1,4 @@
-// The line that is being read: what it says goes into the draft, what is wrong with it into the findings.
+// The line that is being read. What it says goes into the draft, what is wrong with it into the findings.
 #pragma once
 
 #include <optional>
@@ -27,26 +27,27 @@ class Line {
   Place end_of(const Tokens& tokens) const;
 
   Finding& say(Severity severity, Place place, std::string message, std::string remedy = {});
-  /// "found TOKEN, MESSAGE"
+  /// Reports the error "found TOKEN, MESSAGE".
   void error(const Token& token, const std::string& message, std::string remedy = {});
   void warning(const Token& token, std::string message);
-  /// Accepts a spelling of the loose dialect, or reports it; the reading goes on in both cases.
+  /// Accepts a spelling of the loose dialect, or reports it. The caller reads on in both cases.
   void loose(const Token& token, const std::string& expected);
-  /// Reports that a statement has another count of numbers than its grammar.
+  /// Reports that a statement has not as many numbers as its grammar says.
   void wrong_count(const Token& token, std::size_t found, const std::string& expected,
                    std::string remedy = {});
-  /// Reports a word that is none of those known, and the nearest one.
+  /// Reports a word that is none of the known ones, and names the nearest of them.
   void unknown_word(const Token& token, const std::string& expected,
                     const std::vector<std::string_view>& known);
+  /// Warns of a colour with a negative channel.
   void not_negative(const Token& name, const Rgbd& colour, const char* what);
   /// Warns of a colour that seems to count to 255.
   void not_to_255(const Token& name, const Rgbd& colour, const char* what);
 
-  /// All tokens from `first` as numbers; nothing, with one error, if one of them is none.
+  /// Returns all tokens from `first` on as numbers. Reports the first that is none and then returns nothing.
   std::optional<std::vector<double>> numbers(const Tokens& tokens, std::size_t first);
   /// Takes the name off the front of the tokens, or reports that it is missing.
   std::optional<Token> take_name(const Token& keyword, Tokens& tokens, const char* what);
-  /// Defines a name, or reports that it is taken.
+  /// Defines a name and returns true, or reports that it is taken.
   bool is_new(Names& names, const Token& name, std::size_t id, const char* what);
 
  private:
@@ -56,13 +57,12 @@ class Line {
 };
 
 inline constexpr double largest_number = 1e100;
-inline constexpr double smallest_length =
-    1e-100;  ///< of a radius, or a factor of scale: its square underflows
+inline constexpr double smallest_length = 1e-100;  ///< of a radius or a scale factor: squares underflow
 
-/// Three numbers from a place on.
+/// Returns the three numbers from index `at` on.
 inline Vec3d vec3(const std::vector<double>& v, std::size_t at) { return {v[at], v[at + 1], v[at + 2]}; }
 
-/// "1 number", "2 numbers"
+/// Returns "1 number", "2 numbers" and so on.
 std::string count_of(std::size_t n, const char* one);
 
 }  // namespace plumb

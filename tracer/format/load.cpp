@@ -15,14 +15,14 @@ namespace {
 constexpr std::size_t largest_file = std::size_t{1} << 30;
 constexpr std::size_t most_lines_shown = 5;
 
-/// A dialect that was tried, and what it says.
+/// A dialect that was tried, and the number of its complaints.
 struct Candidate {
   std::string dialect;
   std::size_t errors;
   std::size_t warnings;
 };
 
-/// Parts of a dialect that the findings themselves ask for, joined by commas, and the most numbers after m.
+/// Parts of a dialect that the findings ask for, and the greatest number of values after m.
 struct Wanted {
   std::set<std::string> parts;
   std::size_t extra_numbers = 0;
@@ -52,7 +52,7 @@ std::size_t count_errors(const ReadResult& result) {
 /// The dialects that the findings under the course grammar suggest, those with the fewest errors and warnings
 /// first.
 std::vector<Candidate> candidates_for(std::string_view text) {
-  constexpr int rounds = 3;  // what one part cures may have hidden what another must
+  constexpr int rounds = 3;  // because curing one part may show what another must
   Wanted wanted;
   for (int round = 0; round < rounds; ++round) {
     const std::string so_far = join(wanted.parts, "");

@@ -52,7 +52,7 @@ std::vector<std::string_view> Names::all() const {
   return names;
 }
 
-/// Where the name is, or the free slot where it belongs.
+/// Returns where the name is, or the free slot where it belongs.
 std::size_t Names::slot_of(const Key& key) const {
   const std::size_t mask = slots_.size() - 1;
   std::size_t at = key.hash & mask;

@@ -8,9 +8,9 @@
 
 namespace plumb {
 
-/// A hash table with linear probing (Knuth, "The Art of Computer Programming", vol. 3, 6.4, algorithm L):
-/// scenes have millions of names, and a list node for each is what their reading would wait for. Views point
-/// into the text.
+/// A hash table with linear probing (Knuth, "The Art of Computer Programming", vol. 3, 6.4, algorithm L).
+/// Scenes have millions of names, and one list node per name would take most of the time of reading. Views
+/// point into the text, which must outlive it.
 class Names {
  public:
   struct Key {
@@ -18,17 +18,17 @@ class Names {
     std::uint32_t hash;
   };
 
-  /// What define looks for. Its slot is fetched from memory meanwhile: large tables are nowhere near.
+  /// Returns the key that define() takes. Begins to fetch its slot, because a large table is in no cache.
   Key key_of(std::string_view name) const;
-  /// Makes room for so many names, so that none is moved while they are defined.
+  /// Makes room for this number of names, so that none is moved while they are defined.
   void reserve(std::size_t names);
-  /// The line of an earlier definition of the same name, which stays, or nothing.
+  /// Defines a name and returns nothing, or returns the line of its earlier definition, which stays.
   std::optional<int> define(const Key& key, std::size_t id, int line);
   std::optional<int> define(std::string_view name, std::size_t id, int line) {
     return define(key_of(name), id, line);
   }
   std::optional<std::size_t> find(std::string_view name) const;
-  /// Sorted.
+  /// Returns all names, sorted.
   std::vector<std::string_view> all() const;
 
  private:
@@ -37,7 +37,7 @@ class Names {
     std::uint32_t id;
     int line;
   };
-  /// Half of a hash, to compare before the name is looked at, and 1 + the place of the entry; 0 is free.
+  /// Half of a hash, compared before the name is, and 1 + the index of the entry; an entry of 0 means free.
   struct Slot {
     std::uint32_t hash = 0;
     std::uint32_t entry = 0;
@@ -47,7 +47,7 @@ class Names {
   void grow(std::size_t slots);
 
   std::vector<Entry> entries_;
-  std::vector<Slot> slots_;  ///< a power of two of them, at most 3 of 4 taken
+  std::vector<Slot> slots_;  ///< their number is a power of two; at most 3 of 4 are taken
 };
 
 }  // namespace plumb

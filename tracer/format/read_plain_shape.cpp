@@ -7,7 +7,7 @@
 namespace plumb {
 namespace {
 
-/// What is read from the front of the text; blanks are single here.
+/// Reads from the front of the text, where blanks are single.
 class Cursor {
  public:
   explicit Cursor(std::string_view text) : begin_(text.data()), at_(begin_), end_(begin_ + text.size()) {}
@@ -21,7 +21,8 @@ class Cursor {
     return stands_here;
   }
 
-  /// Up to a blank or another control character; empty where a comment begins or ends it.
+  /// Reads up to a blank or another control character. Returns an empty word where a comment begins or ends
+  /// it.
   std::string_view word() {
     const char* const first = at_;
     while (at_ != end_ && static_cast<unsigned char>(*at_) > ' ' && *at_ != '#') ++at_;
@@ -29,7 +30,7 @@ class Cursor {
     return found.starts_with("//") || (at_ != end_ && *at_ == '#') ? std::string_view() : found;
   }
 
-  /// A number of the grammar that needs no second look, and the blank after it.
+  /// Reads a number of the grammar, if it is beyond doubt, and the blank after it.
   bool number(double& value) {
     const auto [after, error] = std::from_chars(at_, end_, value);
     at_ = after;
@@ -42,7 +43,7 @@ class Cursor {
   const char* end_;
 };
 
-/// A valid sphere or box, or false.
+/// Reads a valid sphere or box, or returns false.
 bool read_geometry(Cursor& cursor, bool is_sphere, Shape& made) {
   double v[6];
   for (int i = 0; i < (is_sphere ? 4 : 6); ++i) {

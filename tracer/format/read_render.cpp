@@ -47,7 +47,7 @@ bool continues_a_name(const Token& token) {
          !token.text.starts_with("../");
 }
 
-/// The error for what is not the course grammar, with the dialect if that reads it.
+/// Reports what is not the course grammar, and the dialect that reads it, if one does.
 void report(Line& line, const Token& keyword, const Tokens& tokens) {
   const auto blank = std::find_if(tokens.begin(), tokens.end(), continues_a_name);
   if (blank != tokens.end() && blank != tokens.begin()) {
@@ -62,7 +62,7 @@ void report(Line& line, const Token& keyword, const Tokens& tokens) {
              is_readable ? "loose" : "");
 }
 
-/// Words with `image . ppm` joined to one, and the numbers, in their order.
+/// Words in their order, with `image . ppm` joined to one, and numbers in theirs.
 struct Sorted {
   std::vector<std::string> words;
   std::vector<Token> places;  // of the words
@@ -86,8 +86,8 @@ Sorted sorted(const Tokens& tokens) {
   return result;
 }
 
-/// Camera, file, size and number of samples in any order; of two words the one with a point in it is the
-/// file, or the second one.
+/// Reads camera, file, size and number of samples in any order. Of two words the file is the one with a point
+/// in it, or the second one.
 void read_loose(Line& line, const Token& keyword, const Tokens& tokens) {
   const Sorted found = sorted(tokens);
   const std::size_t n = found.numbers.size();

@@ -12,7 +12,7 @@ namespace {
 
 using Tokens = std::vector<Token>;
 
-/// A material at the end is a name; a number there means that the name is missing.
+/// True if the last word is a name. A number there means that the material is missing.
 bool is_material(const Token& token) { return !parse_number(token.text).complaint.empty(); }
 
 void shape_count(Line& line, const Token& name, const Token& material, std::size_t found,
@@ -67,12 +67,12 @@ void unknown_shape(Line& line, const Token& kind, const Tokens& tokens) {
     hint = "; did you mean '" + *nearest + "'?";
   }
   line.error(kind, "expected sphere, box or composite" + hint);
-  // Known, though broken: whoever refers to it gets no second error.
+  // The names count as known, though broken, so that whoever refers to them gets no second error.
   if (tokens.size() > 1) line.draft().broken_shapes.insert(tokens[1].text);
   line.draft().broken_shapes.insert(kind.text);
 }
 
-/// The name of its material; nothing, with one error, where it is not clear which word that is.
+/// Returns the name of its material; nothing, with one error, where it is not clear which word that is.
 std::optional<Token> sphere_or_box(Line& line, const Token& kind, const Token& name, Tokens& tokens,
                                    Shape& made) {
   const bool is_sphere = kind.text == "sphere";

@@ -60,8 +60,8 @@ class Reader {
   }
 
  private:
-  /// For as many shapes as there can be, so that none is moved when there are more; memory that is not
-  /// written to costs nothing.
+  /// Makes room for as many shapes as there can be, so that none is moved later. Memory that is not written
+  /// to costs nothing.
   void make_room(std::string_view text) {
     constexpr std::size_t shortest_shape = std::string_view("define shape composite a b\n").size();
     const auto lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')) + 1;

@@ -17,17 +17,17 @@ namespace plumb {
 
 enum class Severity { warning, error };
 
-/// One thing to say about a scene file. Line and column count from 1, columns in bytes.
+/// One thing to say about a scene file. Line and column count from 1; columns count bytes.
 struct Finding {
   Severity severity;
   int line;
   int column;
   std::string message;            ///< what was found, what was expected, the likely fix
-  std::string remedy{};           ///< part of a dialect that would read it, or empty
+  std::string remedy{};           ///< the part of a dialect that would read it, or empty
   std::size_t extra_numbers = 0;  ///< numbers after m of a material that the dialect has no names for
 };
 
-/// FILE:LINE:COLUMN: error: message
+/// Returns "FILE:LINE:COLUMN: error: message".
 std::string to_string(const Finding& finding, const std::string& file);
 
 struct ReadResult {
@@ -40,19 +40,19 @@ struct ReadResult {
 /// Reads the whole text and reports all findings in the order of the file. Never throws on bad input.
 ReadResult read_scene(std::string_view text, const Dialect& dialect = {});
 
-/// Text of a regular file or of a pipe. Throws SceneError when it is missing, a directory, or larger than 1
-/// GiB.
+/// Returns the text of a regular file or of a pipe. Throws SceneError when it is missing, a directory,
+/// unreadable, or larger than 1 GiB.
 std::string read_text_file(const std::string& path);
 
-/// Reads a file; `warn` gets a line per warning. Throws SceneError with the first errors.
+/// Reads a file. `warn` gets one line per warning. Throws SceneError with the first errors.
 Scene load_scene(const std::string& path, const Dialect& dialect,
                  const std::function<void(const std::string&)>& warn = {});
 
-/// The dialects that read the text without an error, best first; empty when none is known to.
+/// Returns the dialects that read the text without an error, best first; empty when none is known to.
 std::vector<std::string> propose_dialects(std::string_view text);
 
-/// The dialects that leave the fewest errors, when none reads the text without and these leave fewer than the
-/// course grammar does.
+/// Returns the dialects that leave the fewest errors. Empty when one leaves none, or when none leaves fewer
+/// than the course grammar does.
 std::vector<std::string> nearest_dialects(std::string_view text);
 
 }  // namespace plumb

@@ -11,7 +11,8 @@
 namespace plumb {
 namespace {
 
-/// The names that one may have meant; none any more after many unknown names, as each looks at all.
+/// Returns the names that may have been meant; none after many unknown names, because each search looks at
+/// all.
 std::vector<std::string_view> known_names(const Draft& draft, std::initializer_list<const Names*> kinds) {
   constexpr int most_suggestions = 20;
   std::vector<std::string_view> known;
@@ -134,7 +135,7 @@ void resolve_cameras(Draft& draft) {
   }
 }
 
-/// The size that stands behind a camera's numbers, if one does.
+/// Takes the size that stands behind a camera's numbers, if there is one.
 void take_resolution(Draft& draft, RenderRequest& request) {
   if (!draft.camera_resolution) return;
   const auto& [width, height, place] = *draft.camera_resolution;

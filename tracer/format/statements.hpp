@@ -1,4 +1,4 @@
-// One function for each statement of the course grammar. `tokens` is what follows the keyword.
+// One function for each statement of the course grammar. `tokens` holds what follows the keyword.
 #pragma once
 
 #include <string_view>
@@ -16,11 +16,11 @@ void read_transform(Line& line, const Token& keyword, std::vector<Token>& tokens
 void read_render(Line& line, const Token& keyword, std::vector<Token>& tokens);
 
 /// Reads the line at the front of the text when it is a valid sphere or box in the usual spelling: single
-/// blanks, no comment. Its length without the end of the line; 0, and nothing is changed, for any other line:
-/// it is for read_shape and the others, which know what is wrong.
+/// blanks, no comment. Returns its length without the end of the line. For any other line it returns 0 and
+/// changes nothing; read_shape and the others know what is wrong.
 std::size_t read_plain_shape(Draft& draft, std::string_view text, int line);
 
-/// `ambient r g b` and `background r g b`; `earlier_line` is that of an earlier one, or 0.
+/// Reads `ambient r g b` and `background r g b`. `earlier_line` is the line of an earlier one, or 0.
 void read_colour(Line& line, const Token& keyword, const std::vector<Token>& tokens, Rgbd& colour,
                  int& earlier_line);
 

@@ -12,7 +12,7 @@ namespace {
 
 std::string triple(const Vec3d& v) { return to_text(v.x) + " " + to_text(v.y) + " " + to_text(v.z); }
 
-/// What a keyword that is not written reads back as, to the bit.
+/// True for what reads back, to the bit, when its keyword is not written.
 bool is_plus_zero(const Rgbd& c) {
   return c == Rgbd(0) && !std::signbit(c.x) && !std::signbit(c.y) && !std::signbit(c.z);
 }
