@@ -10,7 +10,7 @@
 
 namespace plumb {
 
-/// Face of a box: 2 * axis for the face at p_min, 2 * axis + 1 for the face at p_max.
+/// The number of a box's face: 2 * axis for the face at p_min, 2 * axis + 1 for the face at p_max.
 using Face = int;
 inline constexpr Face no_face = -1;
 
@@ -34,16 +34,17 @@ Corners<Real> box_from_center(const Vec3<Real>& center, const Vec3<Real>& edges)
   return {center - edges / Real(2), center + edges / Real(2)};
 }
 
-/// No slide, a decision: a component that a few roundings of the direction may have made is 0.
+/// No slide, a decision: true if the ray runs along the planes of this axis. A component of the direction
+/// that a few roundings may have made counts as 0.
 template <class Real>
 bool is_parallel(const Ray<Real>& ray, int axis) {
   using std::abs;
   return abs(ray.direction[axis]) <= 16 * std::numeric_limits<Real>::epsilon() * ray.world_length[axis];
 }
 
-/// No slide, a decision: the t at which a ray crosses the plane of an axis. Where it grazes the plane, a few
-/// roundings of a place move t far: a plane through the origin of the ray is crossed there, and one
-/// through what is known to be met ahead is crossed there.
+/// No slide, a decision: the t at which a ray crosses the plane of an axis. Where the ray grazes the plane, a
+/// few roundings of a place move t far. There a plane through the ray's origin is crossed at 0, and a plane
+/// through what the ray is known to meet is crossed at t_known.
 template <class Real>
 Real plane_crossed_at(const Ray<Real>& ray, int axis, Real plane) {
   using std::abs;
@@ -57,8 +58,9 @@ Real plane_crossed_at(const Ray<Real>& ray, int axis, Real plane) {
   return t;
 }
 
-/// No slide, a decision: where a ray meets planes of two or three axes at one place, the first axis counts.
-/// `times` are those of the planes that are entered, or left.
+/// No slide, a decision: the face that a ray meets at t. Where planes of several axes are met at one place,
+/// the first axis counts. `times` are the t of the three planes that are entered or, if not `is_entered`,
+/// left.
 template <class Real>
 Face face_met_at(Real t, const Vec3<Real>& times, const Ray<Real>& ray, bool is_entered) {
   using std::abs;
@@ -68,10 +70,10 @@ Face face_met_at(Real t, const Vec3<Real>& times, const Ray<Real>& ray, bool is_
   return 2 * axis + (is_low ? 0 : 1);
 }
 
-/// Slide "Quader": of the six planes only the three toward the viewer can be entered, and the ray is
-/// inside after the last of them and before the first of the other three; from inside, the hit is
-/// where it leaves. No value for a miss. A ray that starts on `start_face` leaves that
-/// plane for good, so it is never met again: no epsilon is needed.
+/// Slide "Quader": the first hit of a ray on a box, or no value for a miss. The ray enters only by the three
+/// planes toward the viewer. It is inside after the last of them and before the first of the other three.
+/// From inside, the hit is where the ray leaves. A ray that starts on `start_face` leaves that plane for good
+/// and never meets it again, so no epsilon is needed.
 template <class Real>
 std::optional<FaceHit<Real>> intersect_box(const Ray<Real>& ray, const Corners<Real>& box, Face start_face) {
   Vec3<Real> enter(-std::numeric_limits<Real>::infinity());
@@ -103,7 +105,7 @@ std::optional<FaceHit<Real>> intersect_box(const Ray<Real>& ray, const Corners<R
   return std::nullopt;
 }
 
-/// Outward unit normal of a face.
+/// Outward unit normal of a face, in the box's space.
 template <class Real>
 Vec3<Real> box_normal(Face face) {
   Vec3<Real> normal(0);

@@ -13,16 +13,16 @@ Real radians(Real degrees) {
   return degrees * (std::numbers::pi_v<Real> / 180);
 }
 
-/// Slide "Kameramodell": distance of the image plane of width 1 that is seen under the horizontal
-/// field of view: d = (1/2) / tan(fov_x / 2). Expects 0 < fov_x_degrees < 180.
+/// Slide "Kameramodell": the distance from the eye of the image plane of width 1 that fills the horizontal
+/// field of view, d = (1/2) / tan(fov_x / 2). Expects 0 < fov_x_degrees < 180.
 template <class Real>
 Real image_plane_distance(Real fov_x_degrees) {
   using std::tan;
   return Real(0.5) / tan(radians(fov_x_degrees) / 2);
 }
 
-/// Slide "Kameramodell": centre of pixel (x, y) on the image plane of width 1 and height
-/// height/width, origin in its middle, y upwards; row 0 is the top row.
+/// Slide "Kameramodell": the centre of pixel (x, y) on the image plane of width 1 and height height/width.
+/// The plane's origin is its middle, y points upwards; row 0 is the top row.
 template <class Real>
 Vec2<Real> image_plane_point(int x, int y, int width, int height) {
   const Real w = static_cast<Real>(width);
@@ -32,15 +32,15 @@ Vec2<Real> image_plane_point(int x, int y, int width, int height) {
   return {right, up * (h / w)};
 }
 
-/// Slide "Kameramodell": ray in camera space (eye at the origin, looking along -z) through a point
-/// of the image plane; the direction is not normalised.
+/// Slide "Kameramodell": the ray in camera space (eye at the origin, looking along -z) through a point of the
+/// image plane. Its direction is not normalised.
 template <class Real>
 Ray<Real> camera_ray(Vec2<Real> image_plane_point, Real image_plane_distance) {
   return {Vec3<Real>(0), {image_plane_point.x, image_plane_point.y, -image_plane_distance}};
 }
 
-/// Slide "Rapid Prototyping": the 401 x 401 grid with dx and dy from -200 to 200 in steps of 1.
-/// The same rays as camera_ray gives for a 401 x 401 image, 401 times as long.
+/// Slide "Rapid Prototyping": a ray of the 401 x 401 grid with dx and dy from -200 to 200 in steps of 1. Its
+/// direction is 401 times that of camera_ray for a 401 x 401 image.
 template <class Real>
 Ray<Real> prototype_ray(int dx, int dy, Real fov_x_degrees) {
   const Real distance = 401 * image_plane_distance(fov_x_degrees);

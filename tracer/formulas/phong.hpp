@@ -1,4 +1,5 @@
-// Slides "Lambert", "Ambient", "Phong", "Vollstaendiges Modell" and "Schatten". All vectors unit.
+// Slides "Lambert", "Ambient", "Phong", "Vollstaendiges Modell" and "Schatten". All directions are unit
+// vectors.
 #pragma once
 
 #include <cmath>
@@ -8,21 +9,23 @@
 
 namespace plumb::formulas {
 
-/// Decision: n faces the viewer, flipped when n.d > 0 (d: direction of the ray that sees it).
+/// Decision: n faces the viewer. It is flipped when n.d > 0, where d is the direction of the ray that sees
+/// it.
 template <class Real>
 Vec3<Real> facing_normal(const Vec3<Real>& normal, const Vec3<Real>& direction) {
   return glm::dot(normal, direction) > 0 ? -normal : normal;
 }
 
-/// A ray that has hit something, and where all rays of the picture come from.
+/// A ray that has hit something, and the eye from which all rays of the picture come; in world space.
 template <class Real>
 struct Sight {
   Vec3<Real> direction;  ///< of the ray, unit length
-  Vec3<Real> point;      ///< that it sees
+  Vec3<Real> point;      ///< where the ray hits
   Vec3<Real> eye;
 };
 
-/// Slide "Phong": v, from the point back along the ray that sees it: to the eye only for the first ray.
+/// Slide "Phong": v, from the point back along the ray that sees it. It leads to the eye for the first ray
+/// only.
 template <class Real>
 Vec3<Real> toward_viewer(const Sight<Real>& sight) {
   return -sight.direction;
@@ -41,7 +44,7 @@ struct Toward {
   Real distance;
 };
 
-/// Slide "Lambert": l, normalised, from the point toward the light.
+/// Slide "Lambert": l, normalised, from the point toward the light, and the light's distance.
 template <class Real>
 Toward<Real> toward_light(const Vec3<Real>& point, const Vec3<Real>& light) {
   const Vec3<Real> offset = light - point;
@@ -49,13 +52,13 @@ Toward<Real> toward_light(const Vec3<Real>& point, const Vec3<Real>& light) {
   return {offset / distance, distance};
 }
 
-/// Slide "Lambert": Ip, the same at every distance.
+/// Slide "Lambert": Ip, which is the same at every distance.
 template <class Real>
 Rgb<Real> arriving_light(const Rgb<Real>& intensity, [[maybe_unused]] Real distance) {
   return intensity;
 }
 
-/// Decision: a light counts, diffuse and specular, only when n.l > 0, by more than rounding can make of 0.
+/// Decision: true if a light counts, diffuse and specular: n.l > 0 by more than rounding can make of 0.
 template <class Real>
 bool light_counts(Real diffuse_factor) {
   return diffuse_factor > resolution<Real>();
@@ -67,8 +70,8 @@ Vec3<Real> reflected_light(const Vec3<Real>& n, const Vec3<Real>& l) {
   return 2 * glm::dot(n, l) * n - l;
 }
 
-/// Slide "Phong": (r.v)^m, and 0 when r.v <= 0, or is no more than rounding can make of 0: with m = 0 that is
-/// 0 or 1.
+/// Slide "Phong": (r.v)^m. It is 0 when r.v <= 0, or when r.v is no more than rounding can make of 0: with m
+/// = 0 the power would be 0 or 1 by chance.
 template <class Real>
 Real specular_factor(const Vec3<Real>& r, const Vec3<Real>& v, [[maybe_unused]] const Vec3<Real>& l, Real m) {
   using std::pow;
@@ -97,8 +100,8 @@ Rgb<Real> with_light(const Rgb<Real>& so_far, [[maybe_unused]] const Rgb<Real>& 
   return so_far + light;
 }
 
-/// No slide, a decision: a mirrored or refracted ray starts at the point itself, because it knows the surface
-/// that it leaves.
+/// No slide, a decision: where a mirrored or refracted ray starts. It is the point itself, because the ray
+/// knows the surface that it leaves.
 template <class Real>
 Vec3<Real> secondary_origin(const Vec3<Real>& point, [[maybe_unused]] const Vec3<Real>& n,
                             [[maybe_unused]] const Vec3<Real>& direction) {
@@ -110,22 +113,22 @@ template <class Real>
 struct ShadowRay {
   Ray<Real> ray;  ///< of unit direction
   Real light_distance;
-  bool knows_its_surface;  ///< where it starts, so that it does not meet it again
+  bool knows_its_surface;  ///< so that the ray does not meet the surface that it starts on
 };
 
-/// Slide "Schatten": from the point itself along l. Decision: it knows the surface that it leaves, so it
-/// needs no offset.
+/// Slide "Schatten": the ray from the point itself along l. Decision: it needs no offset, because it knows
+/// the surface that it leaves.
 template <class Real>
 ShadowRay<Real> shadow_ray(const Vec3<Real>& point, [[maybe_unused]] const Vec3<Real>& n,
                            const Toward<Real>& to_light, [[maybe_unused]] const Vec3<Real>& light) {
   return {{point, to_light.direction}, to_light.distance, true};
 }
 
-/// Objects on the way to a light, by their numbers in the world.
+/// The numbers in the world of the objects that matter when one may block a light.
 struct Blocking {
   std::uint64_t candidate;
-  std::uint64_t lit;   ///< the one that is to be lit
-  std::uint64_t last;  ///< of all
+  std::uint64_t lit;   ///< the object that is to be lit
+  std::uint64_t last;  ///< the largest number of all
 };
 
 /// Slide "Schatten": ANY object may block the light, the lit one too.

@@ -1,11 +1,12 @@
-// Real numbers of 113 significant bits, IEEE 754's binary128: what the oracle counts in.
+// A real type of 113 significant bits, IEEE 754's binary128, in which the oracle computes.
 #pragma once
 
 #include <limits>
 #include <numbers>
 #include <type_traits>
 
-// Of GCC's libquadmath. Its header is GCC's own; other compilers that know the type do not find it.
+// These belong to GCC's libquadmath. Its header is GCC's own; other compilers that know the type do not find
+// it.
 extern "C" {
 __float128 sqrtq(__float128);
 __float128 powq(__float128, __float128);
@@ -16,12 +17,12 @@ __float128 tanq(__float128);
 
 namespace plumb {
 
-/// A binary128, about thirty times slower than a double. GLM wants a class that is left uninitialised as
-/// numbers are: Boost.Multiprecision's are not.
+/// A binary128, about thirty times slower than a double. GLM needs a class that default construction leaves
+/// uninitialised, as it does numbers. Boost.Multiprecision's classes are initialised.
 class Quad {
  public:
   Quad() = default;
-  // Numbers of every kind are to be written as they are in formulas.
+  // Implicit, so that formulas write numbers of every kind as they are.
   template <class Number>
   requires(!std::is_same_v<Number, Quad> &&
            std::numeric_limits<Number>::is_specialized) constexpr Quad(Number value)
@@ -81,7 +82,7 @@ struct std::numeric_limits<plumb::Quad> {
   static constexpr plumb::Quad epsilon() { return plumb::Quad(0x1p-56) * plumb::Quad(0x1p-56); }
 };
 
-/// The sum of three doubles, exact to 2^-161.
+/// Pi as the sum of three doubles, exact to 2^-161.
 template <>
 inline constexpr plumb::Quad std::numbers::pi_v<plumb::Quad> =
     plumb::Quad(0x1.921fb54442d18p+1) + plumb::Quad(0x1.1a62633145c07p-53) -

@@ -8,16 +8,16 @@
 
 namespace plumb::formulas {
 
-/// Slide "Spiegelung": r = d - 2 (d.n) n; as long as d. n is a unit vector.
+/// Slide "Spiegelung": r = d - 2 (d.n) n, which is as long as d. n is a unit vector.
 template <class Real>
 Vec3<Real> mirror_direction(const Vec3<Real>& d, const Vec3<Real>& n) {
   return d - 2 * glm::dot(d, n) * n;
 }
 
-/// Slide "Brechung", Snell's law: sin t = ratio sin i with ratio = eta of the side the ray comes from
-/// over eta of the side it goes to. d and n are unit vectors with d.n <= 0; the result is a unit
-/// vector, or no value at total internal reflection. (Heckbert, "Writing a Ray Tracer", in
-/// Glassner, An Introduction to Ray Tracing, 1989, section 5.)
+/// Slide "Brechung", Snell's law: sin t = ratio sin i. The ratio is eta of the side that the ray comes from
+/// over eta of the side that it goes to. d and n are unit vectors with d.n <= 0. The result is a unit vector,
+/// or no value at total internal reflection. (Heckbert, "Writing a Ray Tracer", in Glassner, An Introduction
+/// to Ray Tracing, 1989, section 5.)
 template <class Real>
 std::optional<Vec3<Real>> refracted_direction(const Vec3<Real>& d, const Vec3<Real>& n, Real ratio) {
   using std::sqrt;
@@ -37,7 +37,7 @@ Rgb<Real> colour_at_total_reflection(const Rgb<Real>& local, const Rgb<Real>& re
   return local + reflected;
 }
 
-/// Decision: colour = local + kr R + kt T, additive, no Fresnel term.
+/// Decision: colour = local + kr R + kt T. The terms are added, without a Fresnel term.
 template <class Real>
 Rgb<Real> combined_colour(const Rgb<Real>& local, const Rgb<Real>& kr, const Rgb<Real>& mirrored,
                           const Rgb<Real>& kt, const Rgb<Real>& refracted) {

@@ -8,8 +8,9 @@
 
 namespace plumb::formulas {
 
-/// No slide, a decision: the t at which a ray crosses a sphere, as plane_crossed_at() has it for planes.
-/// `root` is of the solution, `offset` leads from the centre to the origin.
+/// No slide, a decision: the t at which a ray crosses a sphere, with the rule of plane_crossed_at() for rays
+/// that graze. `root` is the root of a quarter of the discriminant, `t` the solution; `offset` leads from the
+/// centre to the origin.
 template <class Real>
 Real sphere_crossed_at(const Ray<Real>& ray, const Vec3<Real>& offset, Real radius, Real root, Real t) {
   using std::abs;
@@ -26,14 +27,14 @@ Real sphere_crossed_at(const Ray<Real>& ray, const Vec3<Real>& offset, Real radi
   return is_at(ray.t_known, one_place(ray, ray.t_known)) ? ray.t_known : t;
 }
 
-/// Slide "Kugel": the smallest positive root of a t^2 + b t + c = 0 with a = d.d,
-/// b = 2 d.(p0 - m), c = (p0 - m)^2 - r^2; no value for a miss. A tangent has one double root. A root up to
-/// t_min is 0 by all that rounding can tell, so the other one counts.
-/// When the ray starts on this very sphere, one root is 0 and c vanishes: the other is -b/a, so
-/// no epsilon is needed to leave the surface.
-/// The roots are taken as q/a and c/q, free of cancellation (Press et al., Numerical Recipes,
-/// 3rd ed. 2007, section 5.6). A quarter of the discriminant is a (r^2 - e^2), e the centre's distance from
-/// the line: b^2 - 4 a c would cancel where a sphere is small and far (Hearn and Baker; Haines et al.,
+/// Slide "Kugel": the smallest positive root of a t^2 + b t + c = 0 with a = d.d, b = 2 d.(p0 - m), c = (p0 -
+/// m)^2 - r^2, or no value for a miss. A tangent has one double root. A root up to t_min is 0 by all that
+/// rounding can tell, so the other one counts.
+/// When the ray starts on this very sphere, one root is 0 and c vanishes. The other is -b/a, so no epsilon is
+/// needed to leave the surface.
+/// The roots are taken as q/a and c/q, which do not cancel (Press et al., Numerical Recipes, 3rd ed. 2007,
+/// section 5.6). A quarter of the discriminant is a (r^2 - e^2), where e is the distance of the centre from
+/// the line. b^2 - 4 a c would cancel where a sphere is small and far (Hearn and Baker; Haines et al.,
 /// "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems, 2019, chapter 7).
 template <class Real>
 std::optional<Real> intersect_sphere(const Ray<Real>& ray, const Vec3<Real>& center, Real radius,
@@ -44,7 +45,7 @@ std::optional<Real> intersect_sphere(const Ray<Real>& ray, const Vec3<Real>& cen
   const Real half_b = glm::dot(offset, ray.direction);
   if (starts_on_it) {
     const Real t = -2 * half_b / a;
-    return t > ray.t_min ? std::optional<Real>(t) : std::nullopt;  // not infinity over infinity
+    return t > ray.t_min ? std::optional<Real>(t) : std::nullopt;  // a miss when it is infinity over infinity
   }
   const Real c = glm::dot(offset, offset) - radius * radius;
   if (c > 0 && half_b >= 0) return std::nullopt;  // outside and moving away
@@ -59,7 +60,7 @@ std::optional<Real> intersect_sphere(const Ray<Real>& ray, const Vec3<Real>& cen
   return t > ray.t_min ? std::optional<Real>(t) : std::nullopt;
 }
 
-/// Outward normal, not normalised (its length is the radius).
+/// Outward normal at a point of the sphere. It is not normalised: its length is the radius.
 template <class Real>
 Vec3<Real> sphere_normal(const Vec3<Real>& point, const Vec3<Real>& center) {
   return point - center;

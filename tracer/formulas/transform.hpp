@@ -31,9 +31,9 @@ Mat4<Real> scale_matrix(const Vec3<Real>& by) {
   return matrix;
 }
 
-/// Slide "Transformationen": counter-clockwise about an axis through the origin, as seen from the
-/// axis' positive end. Rodrigues, "Des lois geometriques ...", J. Math. Pures Appl. 5 (1840):
-/// R = cos a I + (1 - cos a) k k^T + sin a [k]x. The axis is normalised here; it must not be 0.
+/// Slide "Transformationen": turns counter-clockwise about an axis through the origin, as seen from the axis'
+/// positive end. Rodrigues, "Des lois geometriques ...", J. Math. Pures Appl. 5 (1840): R = cos a I + (1 -
+/// cos a) k k^T + sin a [k]x. The axis may have any length but 0.
 template <class Real>
 Mat4<Real> rotation_matrix(Real degrees, const Vec3<Real>& axis) {
   using std::cos;
@@ -68,8 +68,8 @@ Transform<Real> rotate(Real degrees, const Vec3<Real>& axis) {
   return {matrix, glm::transpose(matrix)};
 }
 
-/// Slide "Zusammengesetzt, Inverse": `then` applied after `first`: M = M2 M1, M^-1 = M1^-1 M2^-1.
-/// Scale, rotate, translate in this order give the lecture's M = T R S.
+/// Slide "Zusammengesetzt, Inverse": `then` after `first`, M = M2 M1, M^-1 = M1^-1 M2^-1. Scale, rotate and
+/// translate in this order give the lecture's M = T R S.
 template <class Real>
 Transform<Real> compose(const Transform<Real>& then, const Transform<Real>& first) {
   return {then.matrix * first.matrix, first.inverse * then.inverse};
@@ -81,35 +81,35 @@ Vec3<Real> transform_point(const Mat4<Real>& m, const Vec3<Real>& p) {
   return Vec3<Real>(m[0]) * p.x + Vec3<Real>(m[1]) * p.y + Vec3<Real>(m[2]) * p.z + Vec3<Real>(m[3]);
 }
 
-/// Slide "Anwendung": M v with w = 0: a translation does not move it.
+/// Slide "Anwendung": M v with w = 0, so that a translation does not move it.
 template <class Real>
 Vec3<Real> transform_vector(const Mat4<Real>& m, const Vec3<Real>& v) {
   return Vec3<Real>(m[0]) * v.x + Vec3<Real>(m[1]) * v.y + Vec3<Real>(m[2]) * v.z;
 }
 
-/// Slide "Anwendung": (M^-1)^T n with w = 0, from the inverse; the result is not normalised.
+/// Slide "Anwendung": (M^-1)^T n with w = 0, computed from M^-1. The result is not normalised.
 template <class Real>
 Vec3<Real> transform_normal(const Mat4<Real>& inverse, const Vec3<Real>& n) {
   return {glm::dot(Vec3<Real>(inverse[0]), n), glm::dot(Vec3<Real>(inverse[1]), n),
           glm::dot(Vec3<Real>(inverse[2]), n)};
 }
 
-/// Slide "Anwendung": the origin as a point, the direction as a vector. The direction is not
+/// Slide "Anwendung": transforms the origin as a point and the direction as a vector. The direction is not
 /// normalised, so t means the same point on both sides (slide "Objekttransformation").
 template <class Real>
 Ray<Real> transform_ray(const Mat4<Real>& m, const Ray<Real>& ray) {
   return {transform_point(m, ray.origin), transform_vector(m, ray.direction)};
 }
 
-/// No slide: |M| v, the most that vectors of up to these lengths along the axes come to along each axis. For
-/// a rotation that is at most sqrt(3) too much.
+/// No slide: |M| v. It bounds, along each axis, what M makes of vectors whose components are at most v. For a
+/// rotation the bound is at most sqrt(3) too large.
 template <class Real>
 Vec3<Real> absolute_product(const Mat4<Real>& m, const Vec3<Real>& v) {
   return glm::abs(Vec3<Real>(m[0])) * v.x + glm::abs(Vec3<Real>(m[1])) * v.y +
          glm::abs(Vec3<Real>(m[2])) * v.z;
 }
 
-/// Slide "Kameratransformation": C times a ray of camera space; the world ray is of unit direction.
+/// Slide "Kameratransformation": C times a ray of camera space. The world ray has a unit direction.
 template <class Real>
 Ray<Real> world_ray(const Mat4<Real>& camera_matrix, const Ray<Real>& in_camera) {
   const Ray<Real> ray = transform_ray(camera_matrix, in_camera);
@@ -123,10 +123,11 @@ struct HitInTwoSpaces {
   const Ray<Real>& parent_ray;
   Real t;
   Vec3<Real> object_point;
-  bool is_composite;  ///< what the matrix places: an inner node, or a sphere or a box
+  bool is_composite;  ///< true when the matrix places an inner node, false for a sphere or a box
 };
 
-/// Slide "Objekttransformation": t is valid in both spaces, so the point in the parent's is p0 + t d there.
+/// Slide "Objekttransformation": t is valid in both spaces, so the hit in the parent's space is p0 + t d
+/// there.
 template <class Real>
 Vec3<Real> point_in_parent(const HitInTwoSpaces<Real>& hit) {
   return point_at(hit.parent_ray, hit.t);
