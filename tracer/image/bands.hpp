@@ -1,4 +1,4 @@
-// A picture that is handed on in bands of whole rows, so that it is never held whole.
+// A picture that is handed on in bands of complete rows, so that memory never holds all of it.
 #pragma once
 
 #include <functional>
@@ -8,16 +8,18 @@
 
 namespace plumb {
 
-/// Who takes a picture from a renderer.
+/// Takes a picture from a renderer.
 struct BandSink {
-  /// Of a band, but for the last, which may have fewer; at least 1. The engine takes the largest multiple of
-  /// its tiles' height that is not more, or one tile, unless a band is the whole picture.
+  /// Number of rows of a band, at least 1; the last band may have fewer. The engine takes the largest
+  /// multiple of its tiles' height that is at most this, or one tile's, unless a band is the complete
+  /// picture.
   int rows;
-  /// The rows below those of the call before; from one thread at a time, but not always from the same.
+  /// Takes the rows below those of the call before. One thread at a time calls it, not always the same one.
   std::function<void(Image&&)> take;
 };
 
-/// The picture that `render` hands to the sink that it is called with.
+/// Calls `render` with a sink of one band of `height` rows, and returns the picture that it hands to the
+/// sink.
 template <class Render>
 Image in_one_band(int height, const Render& render) {
   Image image;

@@ -1,4 +1,4 @@
-// Between a decoder, which runs in a confined process, and the program that asked for the picture.
+// What lies between a decoder, in a confined process, and the program that asked for the picture.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace plumb {
 
-/// A component of a pixel in memory.
+/// The type of a pixel's component in memory.
 enum class Component { byte, float32, float64 };
 
 inline std::size_t size_of(Component component) {
@@ -19,7 +19,7 @@ inline std::size_t size_of(Component component) {
   return component == Component::float32 ? sizeof(float) : sizeof(double);
 }
 
-/// How rows lie in memory: interleaved, native, row 0 on top, one after the other.
+/// How rows lie in memory: interleaved, in native byte order, row 0 on top, one directly after the other.
 struct Shape {
   int width = 0;
   int height = 0;
@@ -29,18 +29,19 @@ struct Shape {
   FileContents contents;
 };
 
-/// Reads what a decoder itself does not: float32 of all channels, interleaved in the order of `names`, of the
-/// data window of a part of an EXR. Returns an empty string, or what went wrong.
+/// Reads what a decoder cannot read itself. Fills `values` with float32 of all channels, interleaved in the
+/// order of `names`, of the data window of one part of an EXR. Returns an empty string, or what went wrong.
 using ReadOpenExr = std::string (*)(std::string_view bytes, int part, const Window& data,
                                     const std::vector<std::string>& names, float* values);
 
-/// That one is needed, and not at hand.
+/// Thrown when a ReadOpenExr is needed and none is at hand.
 struct OtherDecoderNeeded {};
 
+/// Where a decoder puts its pixels.
 class Canvas {
  public:
   virtual ~Canvas() = default;
-  /// Zeroed memory for all rows; called once. Throws when the picture is too large.
+  /// Returns zeroed memory for all rows. It may be called once. Throws when the picture is too large.
   virtual std::byte* rows_for(const Shape& shape) = 0;
 };
 

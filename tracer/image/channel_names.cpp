@@ -9,7 +9,7 @@
 namespace plumb {
 namespace {
 
-/// As in LeR and albedo_r: the last letter is the colour. Not as in RY, which is a colour of its own.
+/// True if the last letter is the colour, as in LeR and albedo_r. RY is a colour of its own.
 bool ends_in_colour(std::string_view name) {
   if (name.size() < 2 || std::string_view("RGBA").find(name.back()) == std::string_view::npos) return false;
   const auto before = static_cast<unsigned char>(name[name.size() - 2]);

@@ -37,7 +37,7 @@ void write_all(int file, std::string_view bytes) {
   }
 }
 
-/// The file, or the bytes of what can be read but once.
+/// Returns a descriptor of the file, or of a copy of what can be read only once.
 int source_of(const std::string& path, const MappedFile& file) {
   struct stat info {};
   if (::stat(path.c_str(), &info) == 0 && S_ISREG(info.st_mode))
@@ -68,8 +68,8 @@ struct Mapping {
   std::size_t size;
 };
 
-/// A decoder can wait for nothing, so its limit of computing ends it: that there is no answer so long after
-/// is the machine's trouble, and says nothing of the file.
+/// Reads the decoder's answer. A decoder waits for nothing, so its limit of CPU time ends it. When no answer
+/// comes for much longer, the machine is in trouble, which says nothing about the file.
 std::string answer_of(const std::string& path, int from, int seconds) {
   constexpr int patience = 6;
   try {
@@ -82,7 +82,7 @@ std::string answer_of(const std::string& path, int from, int seconds) {
   }
 }
 
-/// How the process ended, as waitpid says it.
+/// Returns how the process ended, as waitpid says it.
 int read_status(int from, const std::string& path) {
   int status = 0;
   ssize_t got = -1;
@@ -94,7 +94,7 @@ int read_status(int from, const std::string& path) {
       path + ": cannot be decoded now: no process could be made for it, or it was killed");
 }
 
-/// Nobody but us has the pixels' memory by now.
+/// Makes rows of the pixels' memory, which nobody else has by now.
 PixelRows rows_of(const std::string& path, const Shape& shape, int pixels, const ReadLimits& limits) {
   const std::size_t component = size_of(shape.component);
   const auto pixel = static_cast<std::size_t>(shape.channels) * component;
@@ -124,18 +124,18 @@ std::string ending(int status) {
   return "ended with exit code " + std::to_string(WEXITSTATUS(status));
 }
 
-/// Its words, with the file's name in them.
+/// Returns the decoder's words with the file's name in them.
 std::string said_of(const std::string& path, const std::string& why) {
   return why.starts_with(decoder_path) ? path + why.substr(1) : path + ": cannot be read: " + why;
 }
 
-/// 10 s, and more where the file itself is long: the slowest decoders make some 20 MB a second.
+/// Returns 10 s, and more where the file itself is long: the slowest decoders make some 20 MB a second.
 int seconds_for(const MappedFile& file) {
   constexpr std::size_t bytes_a_second = 20'000'000;
   return 10 + static_cast<int>(file.bytes().size() / bytes_a_second);
 }
 
-/// Nothing when the decoder that takes longer to start is needed.
+/// Decodes the file. Returns nothing when the decoder that takes longer to start is needed.
 std::optional<PixelRows> decoded_by(bool has_other_decoder, const std::string& path, const MappedFile& file,
                                     Kind kind, const std::string& part, const ReadLimits& limits) {
   const Descriptor source(source_of(path, file));
@@ -148,8 +148,8 @@ std::optional<PixelRows> decoded_by(bool has_other_decoder, const std::string& p
   message_pipe.to.reset(), status_pipe.to.reset();
   const std::string message = answer_of(path, message_pipe.from->number(), seconds);
   const auto decoded = decoded_message(message);
-  // Whoever goes on writing has not ended; it is killed, because nobody holds the other ends of its pipes any
-  // more once we are gone from here.
+  // A decoder that writes on has not ended. It is killed, because nobody holds the other ends of its pipes
+  // any more after this function.
   const int status =
       message.size() < longest_message ? read_status(status_pipe.from->number(), path) : SIGKILL;
   if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU)

@@ -1,5 +1,5 @@
-// Decoders of others, at work in a process of their own: limited in memory and time, without files, network
-// or other processes. What becomes of it, this one goes on.
+// Runs the decoders of other people in a process of their own. It has limits of memory and time, and no
+// files, network or other processes. Whatever becomes of it, the program goes on.
 #pragma once
 
 #include <memory>
@@ -13,12 +13,13 @@
 namespace plumb {
 
 inline constexpr const char* decoder_name = "plumb-decode";
-inline constexpr const char* serve_argument = "serve";  ///< its only one: what it does for plumb
-inline constexpr const char* decoder_path = "?";        ///< what it calls the file in its messages
-inline constexpr int exit_without_module = 3;           ///< its own trouble, not that of a file
+inline constexpr const char* serve_argument = "serve";  ///< its only argument: it works for plumb
+inline constexpr const char* decoder_path = "?";        ///< how its messages name the file
+inline constexpr int exit_without_module = 3;           ///< it failed by itself, not because of a file
 
-/// Throws std::runtime_error naming the path and what is wrong with it, PictureTooLarge, and
-/// std::system_error when the process cannot be run: that is not the file's fault.
+/// Returns the rows of a decoded file. Throws std::runtime_error naming the path and what is wrong with it,
+/// and PictureTooLarge. Throws std::system_error when the process cannot be run, which is not the file's
+/// fault.
 PixelRows decode_confined(const std::string& path, const MappedFile& file, Kind kind,
                           const ReadRequest& request, const ReadLimits& limits);
 

@@ -22,7 +22,8 @@ namespace {
   throw std::system_error(error, std::generic_category(), "a picture cannot be decoded: " + what);
 }
 
-/// It gets the socket as its standard input, and nothing of ours that somebody may wait for the end of.
+/// Starts the decoder, with the socket as its standard input. It gets nothing else of ours, so that nobody
+/// waits for it to close that.
 pid_t spawn(const std::string& program, int socket) {
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);

@@ -1,4 +1,4 @@
-// plumb-decode as this process keeps it: started with the first file that needs it, and once for all.
+// Keeps plumb-decode running: this process starts it once, with the first file that needs it.
 #pragma once
 
 #include <sys/types.h>
@@ -13,19 +13,19 @@ namespace plumb {
 
 class DecoderService {
  public:
-  /// The one of this process. It ends with it.
+  /// Returns the only one of this process, which ends with the process.
   static DecoderService& shared();
   ~DecoderService();
 
-  /// Of any thread. A new decoder is started when the last was killed. Throws std::system_error when none
-  /// can be run.
+  /// Hands a file to the decoder, from any thread. Starts a new decoder when the last one was killed. Throws
+  /// std::system_error when none can be run.
   void hand_over(const DecodeRequest& request, const DecodeFiles& files);
 
  private:
   using Socket = std::shared_ptr<const Descriptor>;
-  /// Another one than `lost`.
+  /// Returns the socket of a running decoder, but not `lost`.
   Socket running(const Socket& lost);
-  /// Of a process whose socket is closed, or that was killed.
+  /// Waits for the end of a decoder whose socket is closed, or that was killed.
   void wait();
 
   std::mutex mutex_;

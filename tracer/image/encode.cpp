@@ -26,8 +26,8 @@ std::uint8_t srgb_8_bits(float c) {
 
 namespace {
 
-/// The bits of the least colour that becomes the level n, 1 to 255, or more: near where the inverse of the
-/// curve says.
+/// Returns the bits of the smallest colour that becomes at least level n, from 1 to 255. It lies near where
+/// the inverse of the curve says.
 std::uint32_t least_of_level(std::uint32_t n) {
   const double curve = (n - 0.5) / 255;
   const double guess = curve <= 0.04045 ? curve / 12.92 : std::pow((curve + 0.055) / 1.055, 2.4);
@@ -37,9 +37,10 @@ std::uint32_t least_of_level(std::uint32_t n) {
   return std::bit_cast<std::uint32_t>(c);
 }
 
-/// srgb_8_bits() by a table, with the same results. Colours that share exponent and 7 bits of mantissa are a
-/// bucket; the levels are so far apart that a bucket has at most two. The other 16 bits of mantissa, added to
-/// the bucket's number, carry into its upper half, the level, from the second level's least colour on.
+/// Does srgb_8_bits() by a table, with the same results. Colours that share the exponent and 7 bits of
+/// mantissa are a bucket. The levels are so far apart that a bucket has at most two. The other 16 bits of
+/// mantissa are added to the bucket's number. From the second level's smallest colour on they carry into its
+/// upper half, the level.
 class SrgbTable {
  public:
   SrgbTable() {
@@ -60,7 +61,7 @@ class SrgbTable {
   }
 
  private:
-  /// In two loops: the first is done in vectors, and so without branches on colours.
+  /// There are two loops, so that the first becomes vectors and needs no branches on colours.
   void encode(const float* colours, std::size_t count, std::uint8_t* bytes) const {
     std::array<std::uint32_t, block> clamped;
     for (std::size_t i = 0; i < count; ++i) {

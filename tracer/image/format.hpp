@@ -1,4 +1,4 @@
-// What an image file's name says of it.
+// What the name of an image file says about it.
 #pragma once
 
 #include <optional>
@@ -8,16 +8,16 @@
 
 namespace plumb {
 
-/// With the dot, in lower case.
+/// Returns the extension with its dot, in lower case.
 std::string extension_of(const std::string& path);
 
-/// Whether files of that extension hold floats when we write them.
+/// True if we write floats into files of that extension.
 bool is_float_format(const std::string& extension);
 
-/// The encoding for a file that nobody chose one for: floats linear, PPM as the course, others sRGB.
+/// Returns the encoding when nobody chose one: linear for floats, the course's for PPM, sRGB for others.
 Encoding default_encoding(const std::string& path);
 
-/// Why a path cannot be written as an image in that encoding; nothing when it can.
+/// Returns why a path cannot be written as an image in that encoding, or nothing when it can.
 std::optional<std::string> complaint_about(const std::string& path, Encoding encoding);
 
 }  // namespace plumb

@@ -23,7 +23,7 @@ struct Image {
   const float* pixel(int x, int y) const { return rgb.data() + offset(x, y); }
 };
 
-/// Whether every pixel has the same colour: nothing is seen.
+/// True if every pixel has the same colour, so that nothing is seen.
 inline bool is_of_one_colour(const Image& image) {
   for (std::size_t i = 3; i < image.rgb.size(); ++i) {
     if (image.rgb[i] != image.rgb[i - 3]) return false;

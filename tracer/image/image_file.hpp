@@ -7,10 +7,10 @@
 
 namespace plumb {
 
-/// What a file keeps a component in.
+/// The type in which a file keeps a component.
 enum class Sample { bits8, bits16, half, float32 };
 
-/// A rectangle of pixels, x to the right and y down.
+/// A rectangle in pixels, x to the right and y down.
 struct Window {
   int x = 0;
   int y = 0;
@@ -18,18 +18,17 @@ struct Window {
   int height = 0;
 };
 
-/// Which of a file's contents were read, and what else it holds.
+/// What was read of a file, and what else the file holds.
 struct FileContents {
-  std::vector<std::string>
-      channels;                  ///< names in the order in memory, e.g. R G B A; empty where files name none
-  std::string part;              ///< of several parts or pages, the one that was read; else empty
-  std::optional<Window> window;  ///< where the rows lie in `display`, for formats that say so
+  std::vector<std::string> channels;  ///< names in the order in memory, e.g. R G B A; empty if there are none
+  std::string part;                   ///< the part or page that was read, when there are several; else empty
+  std::optional<Window> window;       ///< where the rows lie in `display`, in formats that say so
   std::optional<Window> display;
-  std::vector<bool> are_whole;        ///< by channel: whole numbers of 32 bits; empty where none is
+  std::vector<bool> are_whole;        ///< true for each channel of 32-bit integers; empty when there is none
   std::vector<std::string> not_read;  ///< phrases, e.g. "part 'depth' (2 of 2)"
 };
 
-/// Some formats have other channel counts than three.
+/// A decoded picture, of any number of channels.
 struct ImageFile {
   int width = 0;
   int height = 0;

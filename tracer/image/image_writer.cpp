@@ -18,7 +18,7 @@ std::unique_ptr<RowWriter<std::uint8_t>> png_writer(ByteSink& file, int width, i
   return make(file, width, height);
 }
 
-/// Linear: floats, or 16 bits.
+/// Makes a writer of linear colours: as floats, or as 16 bits.
 std::unique_ptr<RowWriter<float>> oiio_writer(ByteSink& file, const std::string& path, int width,
                                               int height) {
   const auto make = reinterpret_cast<oiio::Write>(module_symbol(oiio::module_name, oiio::write_symbol));

@@ -1,4 +1,4 @@
-// A picture into its file, whole or in bands.
+// Writes a picture into its file, at once or in bands.
 #pragma once
 
 #include <cstdint>
@@ -12,23 +12,23 @@
 
 namespace plumb {
 
-/// Writes PFM and PPM itself. PNG is 16 bits when linear, 8 otherwise; that of 16 bits and EXR (float, zip)
-/// are written through OpenImageIO, which is loaded only then. `-` writes to standard output: PFM when
-/// linear, else PPM. The file is the same byte for byte for all heights of bands, but for PNG of 8 bits: as
-/// that is deflated by another library when it comes in several, its pixels are the same. All functions throw
-/// std::runtime_error; nothing half-written is ever seen.
+/// PFM, PPM and PNG of 8 bits are written by our own code. A linear PNG has 16 bits; it and EXR (float, zip)
+/// are written through OpenImageIO, which is loaded only then. `-` is standard output: PFM when linear, else
+/// PPM. The file is the same byte for byte for all heights of bands, except PNG of 8 bits: another library
+/// deflates it when it comes in several bands, and its pixels are the same. All functions throw
+/// std::runtime_error. Nobody sees a half-written file.
 class ImageWriter {
  public:
   ImageWriter(const std::string& path, int width, int height, Encoding encoding);
-  /// The rows below those before, all of the picture's width.
+  /// Writes the rows below those before. The band is as wide as the picture.
   void write(const Image& band);
-  /// After the last row: puts the file in its place.
+  /// After the last row: finishes the file and puts it in its place.
   void finish();
 
  private:
   OutputFile file_;
   Encoding encoding_;
-  std::unique_ptr<RowWriter<float>> floats_;  ///< this one or the other
+  std::unique_ptr<RowWriter<float>> floats_;  ///< one of the two is null
   std::unique_ptr<RowWriter<std::uint8_t>> bytes_;
 };
 

@@ -33,7 +33,7 @@ std::string upper(std::string text) {
   return text;
 }
 
-/// Of a regular file: what a pipe will hold is not known yet.
+/// Throws when a regular file is empty. What a pipe will hold is not known yet.
 void expect_bytes(const std::string& path, const std::string& kind) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error) || std::filesystem::file_size(path, error) != 0) return;
@@ -42,7 +42,7 @@ void expect_bytes(const std::string& path, const std::string& kind) {
                            "; did the program that wrote it come to its end?");
 }
 
-/// A name that promises a kind is told that this is none.
+/// Throws and says what the file is. When its name promises a kind, it says that it is none of that.
 [[noreturn]] void refuse_unknown(const std::string& path, const std::string& extension,
                                  std::string_view bytes) {
   constexpr std::array known{".ppm", ".pgm",  ".pbm", ".pnm", ".pfm", ".png",  ".exr",
@@ -54,7 +54,7 @@ void expect_bytes(const std::string& path, const std::string& kind) {
                            remedy(bytes));
 }
 
-/// What its format cannot hold is not asked for in vain.
+/// Throws when a part is asked for that the format cannot hold.
 void expect_one_part(const std::string& path, Kind kind, const ReadRequest& request) {
   const bool may_have_parts = kind == Kind::exr || kind == Kind::tiff;
   if (may_have_parts || request.part.empty() || request.part == "1") return;
@@ -87,7 +87,7 @@ std::string listed(const std::vector<std::string>& names) {
   return text;
 }
 
-/// Where formats name no channels, they have the usual names.
+/// Returns the channels that are wanted. Channels of formats without names have the usual ones.
 PixelRows chosen_channels(const std::string& path, PixelRows rows, const std::vector<std::string>& wanted) {
   if (wanted.empty()) return rows;
   if (rows.contents.channels.empty()) rows.contents.channels = usual_channels(rows.channels);

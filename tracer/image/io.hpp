@@ -1,4 +1,4 @@
-// Pictures to and from files, the format chosen by the extension.
+// Reads and writes pictures as files.
 #pragma once
 
 #include <string>
@@ -11,16 +11,17 @@
 
 namespace plumb {
 
-/// As ImageWriter does it, whole. Throws std::runtime_error; then nothing half-written is left.
+/// Writes a picture at once, as ImageWriter does. Throws std::runtime_error and then leaves nothing
+/// half-written.
 void write_image(const std::string& path, const Image& image, Encoding encoding);
 
-/// Values as they stand in the file (no gamma removed). Throws std::runtime_error.
+/// Returns the values as they stand in the file (no gamma is removed). Throws what open_image() throws.
 ImageFile read_image(const std::string& path);
 
-/// The same for looking at row by row. The first bytes say what kind of file it is. Netpbm, PNG, and float
-/// EXR and TIFF of the plain kinds are read here, uncompressed floats where they lie, mapped into memory; all
-/// else is decoded by a confined process. Throws std::runtime_error naming the path, PictureTooLarge for one
-/// of more pixels than `request` allows, and std::system_error when the confined process cannot be run.
+/// Opens a picture to look at it row by row. The first bytes say what kind of file it is. Netpbm, PNG, and
+/// the plain kinds of float EXR and TIFF are read here; uncompressed floats stay where they lie, mapped into
+/// memory. A confined process decodes all else. Throws std::runtime_error naming the path, PictureTooLarge
+/// for more pixels than `request` allows, and std::system_error when the confined process cannot be run.
 PixelRows open_image(const std::string& path, const ReadRequest& request = {});
 
 }  // namespace plumb

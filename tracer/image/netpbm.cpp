@@ -13,7 +13,7 @@ std::size_t value_count(const ImageFile& file) {
          static_cast<std::size_t>(file.channels);
 }
 
-/// A compressed picture has its limit; here the file itself holds what it promises.
+/// Checks the size. A compressed picture has its own limit; here the file itself must hold what it promises.
 ImageFile sized(NetpbmTokens& tokens, int channels, const std::string& name, const ReadLimits& limits) {
   ImageFile file;
   file.width = tokens.number<int>();
@@ -23,7 +23,7 @@ ImageFile sized(NetpbmTokens& tokens, int channels, const std::string& name, con
   return file;
 }
 
-/// As text, each value takes a digit at least, and a space; bits are written without.
+/// Throws when the text is too short: a value takes at least a digit and a space, a bit only a digit.
 void expect_text_for(const NetpbmTokens& tokens, std::size_t values, std::size_t each) {
   if (tokens.rest().size() + 1 < values * each) tokens.fail("it ends too early: the file is truncated");
 }
@@ -33,7 +33,7 @@ void expect_at_most(const NetpbmTokens& tokens, unsigned value, unsigned most) {
     tokens.fail("found value " + std::to_string(value) + ", expected 0 to " + std::to_string(most));
 }
 
-/// 1 is black. Rows of bytes begin with a new byte.
+/// Reads bits, of which 1 is black. In the binary form each row begins with a new byte.
 void read_bits(NetpbmTokens& tokens, bool is_text, ImageFile& file) {
   if (is_text) {
     expect_text_for(tokens, value_count(file), 1);
@@ -72,7 +72,7 @@ void read_bytes(NetpbmTokens& tokens, int most, ImageFile& file) {
   }
 }
 
-/// Netpbm lets further pictures follow the first.
+/// Notes that further pictures follow the first, which Netpbm allows.
 void note_rest(const NetpbmTokens& tokens, FileContents& contents) {
   const std::size_t size = tokens.rest().size();
   if (size != 0) contents.not_read.push_back(std::to_string(size) + " bytes after the picture");

@@ -1,4 +1,4 @@
-// The words of a Netpbm or PFM header, and of values written as text.
+// Reads the words of a Netpbm or PFM header, and values that are written as text.
 #pragma once
 
 #include <charconv>
@@ -10,7 +10,7 @@
 
 namespace plumb {
 
-/// Tokens between white space, with # comments.
+/// Splits bytes at white space and skips # comments. Errors are std::runtime_error that begin with `name`.
 class NetpbmTokens {
  public:
   NetpbmTokens(std::string_view bytes, const std::string& name) : rest_(bytes), name_(name) {}
@@ -26,11 +26,11 @@ class NetpbmTokens {
       fail("found '" + printable(text.substr(0, 20)) + "', expected a number");
     return value;
   }
-  /// The next 0 or 1 of a bitmap, which need no white space between them.
+  /// Returns the next 0 or 1 of a bitmap. No white space need stand between two of them.
   bool bit();
-  /// What follows the single white space after the header, at least `size` bytes.
+  /// Returns what follows the single white space after the header: at least `size` bytes.
   std::string_view data(std::size_t size);
-  /// Without white space around it.
+  /// Returns what is left, without white space around it.
   std::string_view rest() const;
   [[noreturn]] void fail(const std::string& why) const { throw std::runtime_error(name_ + ": " + why); }
 

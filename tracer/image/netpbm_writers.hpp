@@ -1,4 +1,4 @@
-// PFM and PPM, written here so that no image library need be loaded for them.
+// PFM and PPM, written by our own code, so that no image library need be loaded for them.
 #pragma once
 
 #include <cstdint>
@@ -9,10 +9,11 @@
 
 namespace plumb {
 
-/// Little-endian colour PFM (rows bottom to top, as the format has it: it seeks). The file must outlive it.
+/// Writes little-endian colour PFM. The format has the bottom row first, so it seeks. The file must outlive
+/// it.
 std::unique_ptr<RowWriter<float>> pfm_writer(ByteSink& file, int width, int height);
 
-/// The course framework's ASCII P3. The file must outlive it.
+/// Writes the course framework's ASCII P3. The file must outlive it.
 std::unique_ptr<RowWriter<std::uint8_t>> ppm_writer(ByteSink& file, int width, int height);
 
 }  // namespace plumb

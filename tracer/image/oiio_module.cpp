@@ -24,8 +24,8 @@ lib::ImageSpec spec_for(int width, int height, Depth depth) {
   return spec;
 }
 
-/// What OpenImageIO writes goes on to the file. It does not notice a full disk, and its codecs in C let no
-/// exception through: a failure is kept for rethrow().
+/// Passes on to the file what OpenImageIO writes. OpenImageIO does not notice a full disk, and its codecs in
+/// C let no exception through, so a failure is kept for rethrow().
 class Proxy final : public lib::Filesystem::IOProxy {
  public:
   explicit Proxy(ByteSink& file) : IOProxy("", Write), file_(file) {}
@@ -105,7 +105,7 @@ const char* name_of(Kind kind) {
   }
 }
 
-/// Whether the reader of OpenImageIO brings the rows into order itself: those of TGA and BMP do.
+/// True if the reader of OpenImageIO brings the rows into order itself, as those of TGA and BMP do.
 bool is_turned_by(Kind kind) { return kind == Kind::tga || kind == Kind::bmp; }
 
 Shape shape_of(const lib::ImageSpec& spec, Kind kind) {
@@ -127,7 +127,7 @@ Shape shape_of(const lib::ImageSpec& spec, Kind kind) {
   return shape;
 }
 
-/// By the reader of that kind alone: no other one is tried.
+/// Reads by the reader of that kind alone; no other is tried.
 std::string read(std::string_view bytes, Kind kind, Canvas& canvas) {
   const auto in = lib::ImageInput::create(name_of(kind));
   if (!in) return lib::geterror();
@@ -143,7 +143,7 @@ std::string read(std::string_view bytes, Kind kind, Canvas& canvas) {
   return in->has_error() ? in->geterror() : "";
 }
 
-/// Channel by channel: it has an order of its own.
+/// Reads channel by channel, because OpenImageIO has an order of its own.
 std::string read_openexr(std::string_view bytes, int part, const Window& data,
                          const std::vector<std::string>& names, float* values) {
   const auto in = lib::ImageInput::create("openexr");
@@ -167,8 +167,8 @@ std::string read_openexr(std::string_view bytes, int part, const Window& data,
   return "";
 }
 
-/// Everything in the calling thread: with idle threads of OpenImageIO and OpenEXR at the end of the process
-/// the leak checker crashed now and then (compare OpenImageIO, issue 3851).
+/// Makes everything happen in the calling thread: with idle threads of OpenImageIO and OpenEXR at the end of
+/// the process, the leak checker crashed now and then (compare OpenImageIO, issue 3851).
 void use_no_threads() {
   static const bool is_set = lib::attribute("threads", 1) && lib::attribute("exr_threads", -1) &&
                              lib::attribute("debug", 0);  // else it speaks of the date on standard error

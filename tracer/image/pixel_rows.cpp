@@ -74,7 +74,7 @@ const std::byte* PixelRows::floats(int y, std::vector<float>& scratch) const {
 
 namespace {
 
-/// Values of one row after the other, their pixels `channels` long.
+/// Returns the picked channels of all rows, one row after the other.
 template <class Value>
 PixelRows picked(const PixelRows& rows, const std::vector<std::size_t>& places) {
   const auto channels = static_cast<std::size_t>(rows.channels);

@@ -1,4 +1,4 @@
-// What is wanted of a file, and how much of it may be taken into memory.
+// What is wanted of a file, and how much of it memory may take.
 #pragma once
 
 #include <algorithm>
@@ -13,10 +13,10 @@ namespace plumb {
 struct ReadRequest {
   std::string part;                                  ///< its name, or its number from 1; empty: the first
   std::vector<std::string> channels;                 ///< by name, in this order; empty: all
-  std::int64_t most_pixels = std::int64_t{1} << 28;  ///< more are refused by the header, before decoding
+  std::int64_t most_pixels = std::int64_t{1} << 28;  ///< a header with more is refused before decoding
 };
 
-/// A header that promises more pixels than were asked for. Nothing was decoded.
+/// Thrown when a header promises more pixels or bytes than are allowed. Nothing was decoded.
 class PictureTooLarge : public std::runtime_error {
  public:
   PictureTooLarge(const std::string& message, std::int64_t wide, std::int64_t high)
@@ -25,12 +25,13 @@ class PictureTooLarge : public std::runtime_error {
   std::int64_t height;
 };
 
-/// Checked by every decoder as soon as it knows the header.
+/// The limits that every decoder checks as soon as it knows the header.
 struct ReadLimits {
   std::int64_t pixels = 0;
-  std::int64_t bytes = 0;  ///< of decoded pixels; those that are looked at in the file don't count
+  std::int64_t bytes = 0;  ///< of decoded pixels; pixels that are looked at in the file do not count
 
-  /// `bytes_per_pixel` is 0 for pixels that stay in the file.
+  /// Throws PictureTooLarge, or std::runtime_error for a size that makes no sense. `bytes_per_pixel` is 0 for
+  /// pixels that stay in the file.
   void check(const std::string& path, std::int64_t width, std::int64_t height,
              std::int64_t bytes_per_pixel) const {
     constexpr std::int64_t longest = std::int64_t{1} << 30;
@@ -52,8 +53,8 @@ struct ReadLimits {
   }
 };
 
-/// A compressed file can promise a thousand times its length. 512 MiB hold 8K RGBA in float32; real renders
-/// of more than that are longer than a 64th of their pixels.
+/// Returns the limits for a file of this length. A compressed file can promise a thousand times its length.
+/// 512 MiB hold 8K RGBA in float32; files of larger real renders are longer than a 64th of their pixels.
 inline ReadLimits limits_for(const ReadRequest& request, std::size_t file_bytes) {
   constexpr std::int64_t always = std::int64_t{512} << 20, times = 64;
   return {request.most_pixels, std::max(always, times * static_cast<std::int64_t>(file_bytes))};

@@ -1,11 +1,11 @@
-// A picture on its way into a file, some rows at a time.
+// Writes a picture into a file, some rows at a time.
 #pragma once
 
 #include <span>
 
 namespace plumb {
 
-/// Of one format; the colours come as floats or as they are in the file, of 8 bits.
+/// A writer of one format. Components are linear floats, or the 8-bit values of the file.
 template <class Component>
 class RowWriter {
  public:
@@ -14,10 +14,10 @@ class RowWriter {
   RowWriter(const RowWriter&) = delete;
   RowWriter& operator=(const RowWriter&) = delete;
 
-  /// Whole rows, interleaved r g b, below those of the call before. Throws std::runtime_error naming the
-  /// file.
+  /// Writes complete rows, interleaved r g b, below those of the call before. Throws std::runtime_error
+  /// naming the file.
   virtual void write(std::span<const Component> rows) = 0;
-  /// After the last row. Throws std::runtime_error naming the file.
+  /// Ends the file after the last row. Throws std::runtime_error naming the file.
   virtual void finish() = 0;
 };
 

@@ -1,4 +1,4 @@
-// The boundary of the module that reads PNG, EXR and TIFF: OpenImageIO's start alone costs 0.3 s.
+// The boundary of the module that reads PNG, EXR and TIFF. OpenImageIO's start alone would cost 0.3 s.
 #pragma once
 
 #include <memory>
@@ -12,22 +12,22 @@
 
 namespace plumb::codecs {
 
-/// What the program has of a file; both are of one file.
+/// What the program knows of a file that is to be read. `path` and `file` are of one file.
 struct Source {
   std::string path;
   std::shared_ptr<const MappedFile> file;
   Kind kind = Kind::png;
-  std::string part;  ///< as asked for; empty: the first
+  std::string part;  ///< as asked for; empty: the first part
   ReadLimits limits;
-  ReadOpenExr read_openexr = nullptr;  ///< for DWA compression, which OpenEXRCore 3.1 does not know
+  ReadOpenExr read_openexr = nullptr;  ///< for DWA compression, which OpenEXRCore 3.1 cannot read
 };
 
-/// False when the file is not of the plain kind that is known here: a confined process then decodes it, or
-/// says what is wrong with it. Throws std::runtime_error naming the file when it is damaged or cut short.
+/// Opens a file of the plain kind that the module knows. Returns false for others: a confined process then
+/// decodes them, or says what is wrong. Throws std::runtime_error naming a file that is damaged or cut short.
 using Open = bool (*)(const Source& source, PixelRows& rows);
 
-/// EXR and TIFF of every kind, through the libraries of these formats: for the confined process alone. Throws
-/// std::runtime_error naming the file, OtherDecoderNeeded without `read_openexr` where that is needed.
+/// Decodes EXR and TIFF of every kind through the libraries of these formats, in the confined process alone.
+/// Throws std::runtime_error naming the file, and OtherDecoderNeeded when `read_openexr` is needed and null.
 using Decode = void (*)(const Source& source, Canvas& canvas);
 
 inline constexpr const char* module_name = "plumb_codecs.so";
@@ -36,7 +36,7 @@ inline constexpr const char* decode_symbol = "plumb_codecs_decode";
 
 bool open_exr(const Source& source, PixelRows& rows);
 bool open_tiff(const Source& source, PixelRows& rows);
-/// Every PNG.
+/// Opens every PNG.
 void open_png(const Source& source, PixelRows& rows);
 
 void decode_exr(const Source& source, Canvas& canvas);

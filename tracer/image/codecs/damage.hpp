@@ -1,4 +1,4 @@
-// Files that are not whole.
+// The error for files that are damaged or cut short.
 #pragma once
 
 #include <stdexcept>
@@ -6,7 +6,7 @@
 
 namespace plumb::codecs {
 
-/// Throws std::runtime_error: the path, what was found, what to do.
+/// Throws std::runtime_error that names the path, what was found and what to do.
 [[noreturn]] inline void refuse_damaged(const std::string& path, const std::string& found) {
   throw std::runtime_error(path + ": cannot be read, it is damaged or was cut short: " + found +
                            "; write it again, or copy it again from where it is whole");

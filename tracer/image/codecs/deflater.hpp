@@ -1,4 +1,4 @@
-// Deflates what comes in pieces, into a zlib stream (RFC 1950); libdeflate, which is quicker, wants it whole.
+// Deflates what comes in pieces into a zlib stream (RFC 1950). The faster libdeflate needs all bytes at once.
 #pragma once
 
 #include <zlib.h>
@@ -9,7 +9,7 @@
 
 namespace plumb::codecs {
 
-/// At the quickest level.
+/// Works at the fastest level.
 class Deflater {
  public:
   Deflater();  ///< Throws std::bad_alloc.
@@ -17,9 +17,9 @@ class Deflater {
   Deflater(const Deflater&) = delete;
   Deflater& operator=(const Deflater&) = delete;
 
-  /// At most 4 GiB; what is deflated so far is appended to `out`.
+  /// Adds at most 4 GiB and appends what is deflated so far to `out`.
   void add(std::span<const std::uint8_t> bytes, std::string& out);
-  /// The rest and the checksum.
+  /// Appends the rest and the checksum to `out`.
   void finish(std::string& out);
 
  private:

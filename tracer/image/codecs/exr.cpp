@@ -18,7 +18,7 @@ class Exr {
  public:
   explicit Exr(const Source& source) : file_(source.file->bytes()), context_(file_.get()) {}
 
-  /// One part of scanlines, all channels float at full resolution, in rows of a known meaning.
+  /// Describes one part of scanlines, all channels float at full resolution; false for anything else.
   bool describe(const Source& source, PixelRows& rows) {
     int parts = 0;
     exr_storage_t storage{};
@@ -56,7 +56,7 @@ class Exr {
   exr_compression_t compression() const { return compression_; }
 
  private:
-  /// A row holds whole channels in alphabetic order; people expect R G B A, or Y.
+  /// A row holds complete channels in alphabetic order, while people expect R G B A, or Y.
   static bool order_channels(const exr_attr_chlist_t& channels, PixelRows& rows) {
     std::string names;
     for (int c = 0; c < channels.num_channels; ++c) {
@@ -82,7 +82,7 @@ class Exr {
   int first_line_ = 0;
 };
 
-/// Lines that lie in the file as far apart as any two.
+/// True if the lines lie in the file at equal distances, and so can stay there.
 bool in_place(const Exr& exr, const Source& source, PixelRows& rows) {
   exr_chunk_info_t first{}, other{};
   if (!exr.chunk(0, first)) return false;
@@ -101,8 +101,8 @@ bool in_place(const Exr& exr, const Source& source, PixelRows& rows) {
   return true;
 }
 
-/// What ZIP compression did before deflating: differences of neighbouring bytes, and even bytes before odd
-/// ones.
+/// Undoes what ZIP compression does before deflating: it takes differences of neighbouring bytes, and puts
+/// even bytes before odd ones.
 void undo_prediction(std::vector<std::uint8_t>& bytes, std::byte* out) {
   for (std::size_t i = 1; i < bytes.size(); ++i)
     bytes[i] = static_cast<std::uint8_t>(bytes[i - 1] + bytes[i] - 128);

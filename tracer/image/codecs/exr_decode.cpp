@@ -51,7 +51,7 @@ class Decoder {
     refuse_damaged(source_.path, "found no whole " + what + " where the header says");
   }
 
-  /// Half floats and floats; whole numbers of 32 bits would be scaled by it.
+  /// Decodes half floats and floats. It would scale whole numbers of 32 bits.
   void decode_by_openexr() {
     if (source_.read_openexr == nullptr) throw OtherDecoderNeeded{};
     if (layout_.shape.component != Component::float32)
@@ -117,7 +117,7 @@ class Decoder {
     if (!is_decoded) refuse(name);
   }
 
-  /// Each channel on its own, as the file has it. False for what lies about its size.
+  /// Gives each channel its own memory, in the type of the file. False when the file lies about its size.
   bool give_memory(exr_decode_pipeline_t& pipeline) {
     std::size_t size = 0;
     const auto bytes_of = [](const exr_coding_channel_info_t& c) {

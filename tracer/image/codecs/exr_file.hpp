@@ -1,4 +1,4 @@
-// An OpenEXR file in memory, as OpenEXRCore sees it.
+// An OpenEXR file in memory, opened by OpenEXRCore.
 #pragma once
 
 #include <openexr.h>
@@ -9,7 +9,7 @@ namespace plumb::codecs {
 
 class ExrFile {
  public:
-  /// The bytes must outlive it. get() is null when it is no whole header of an EXR.
+  /// The bytes must outlive this object. get() is null when they hold no complete header of an EXR.
   explicit ExrFile(std::string_view bytes);
   ~ExrFile();
   ExrFile(const ExrFile&) = delete;

@@ -136,7 +136,7 @@ class Reader {
   const Source& source_;
   exr_const_context_t context_;
   int parts_ = 0;
-  std::int64_t outside_ = 0;  ///< pixels that are in the display window alone
+  std::int64_t outside_ = 0;  ///< number of pixels that are in the display window alone
   ExrLayout layout_;
 };
 

@@ -1,4 +1,4 @@
-// Which part of an EXR is read, its windows and channels, and what of the file that leaves out.
+// Tells which part of an EXR is read, its windows and channels, and what of the file is left out.
 #pragma once
 
 #include <openexr.h>
@@ -9,10 +9,10 @@ namespace plumb::codecs {
 
 struct ExrChannel {
   exr_pixel_type_t type;
-  std::size_t place;  ///< among the components of a pixel in memory
+  std::size_t place;  ///< index among the components of a pixel in memory
 };
 
-/// Rows cover the data window and the display window alike: what lies in one alone is compared, too.
+/// Rows cover both the data window and the display window: what lies in only one is compared, too.
 struct ExrLayout {
   int part = 0;
   exr_storage_t storage = EXR_STORAGE_SCANLINE;
@@ -22,7 +22,7 @@ struct ExrLayout {
   std::vector<ExrChannel> channels;  ///< in the order of the file
 };
 
-/// Throws naming the file for what isn't supported, isn't there, or is too large.
+/// Throws std::runtime_error naming the file for what is not supported, absent or too large.
 ExrLayout exr_layout(const Source& source, exr_const_context_t context);
 
 }  // namespace plumb::codecs

@@ -1,4 +1,4 @@
-// Half floats (IEEE 754 binary16), which a processor need not know.
+// Half floats (IEEE 754 binary16), decoded without the processor's help.
 #pragma once
 
 #include <bit>
@@ -7,7 +7,7 @@
 
 namespace plumb::codecs {
 
-/// Exact; infinities and NaN included.
+/// Converts exactly, infinities and NaN included.
 inline float float_of_half(std::uint16_t half) {
   constexpr int mantissa_bits = 10, bias = 15, largest = 31;
   const int exponent = half >> mantissa_bits & largest;

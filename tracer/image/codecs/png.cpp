@@ -27,7 +27,7 @@ void inflate(const Source& source, const Png& png, Byte* bytes, std::size_t size
                                     " bytes which the header announces");
 }
 
-/// Deflate makes no more than 1032 bytes of one: a lie in the header is seen before memory is asked for.
+/// Deflate makes at most 1032 bytes of one, so a lie in the header is seen before memory is asked for.
 void expect_plausible(const Source& source, const Png& png, std::size_t size) {
   constexpr std::size_t most_of_one = 1032;
   if (size / most_of_one <= png.deflated.size()) return;
@@ -36,7 +36,8 @@ void expect_plausible(const Source& source, const Png& png, std::size_t size) {
                                   " bytes which the header announces");
 }
 
-/// Memory in pages of 2 MiB where there are any: one fault for each of 4 KiB costs as much as inflating them.
+/// Returns memory in pages of 2 MiB, if there are any: faults for pages of 4 KiB cost as much as inflating
+/// them.
 std::shared_ptr<Byte[]> large_pages(std::size_t size) {
   constexpr std::size_t page = std::size_t{1} << 21;
   const std::size_t whole = (size + page - 1) / page * page;
@@ -46,7 +47,7 @@ std::shared_ptr<Byte[]> large_pages(std::size_t size) {
   return {bytes, [](Byte* p) { std::free(p); }};
 }
 
-/// 8 bits a component that lie as they are in the file.
+/// True for components of 8 bits that lie in memory as they are in the file.
 bool is_plain(const Png& png) {
   return png.depth == 8 && png.colour != PngColour::palette && !png.is_transparent() && !png.is_interlaced;
 }

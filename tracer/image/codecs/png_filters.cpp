@@ -12,7 +12,8 @@ namespace {
 
 using Byte = std::uint8_t;
 
-/// For the filters that add the left pixel (2) or its mean with the upper one (3); 0 before the first.
+/// For the filters that add the left pixel (2) or its mean with the upper one (3); both are 0 before the
+/// first.
 template <std::size_t step, class Predict>
 void undo_each(Byte* row, const Byte* up, std::size_t size, Predict predict) {
   int left[step] = {};
@@ -24,14 +25,14 @@ void undo_each(Byte* row, const Byte* up, std::size_t size, Predict predict) {
   }
 }
 
-/// The components of one pixel, 16 bits each; what is beyond them is not looked at. SSE2 is what every x86-64
-/// has: Highway's headers have no vectors for it.
+/// The components of one pixel, 16 bits each; what is behind them does not matter. Every x86-64 has SSE2, for
+/// which Highway's headers have no vectors.
 using V = __m128i;
 
 V choose(V mask, V yes, V no) { return _mm_or_si128(_mm_and_si128(mask, yes), _mm_andnot_si128(mask, no)); }
 
-/// PNG, section 9.4: that of the three which is nearest to left + up - corner. That is the smaller, the
-/// corner or the larger one; asked so, there is nothing to branch on.
+/// PNG, section 9.4: returns that of the three which is nearest to left + up - corner. It is the smaller one,
+/// the corner or the larger one; asked this way, there is no branch.
 V paeth(V left, V up, V corner) {
   const V low = _mm_min_epi16(left, up), high = _mm_max_epi16(left, up);
   const V thrice = _mm_add_epi16(_mm_add_epi16(corner, corner), corner);
@@ -40,10 +41,11 @@ V paeth(V left, V up, V corner) {
   return choose(_mm_cmpgt_epi16(beyond, low), inner, high);
 }
 
-/// `bytes` bytes, of which the first may be a pixel's.
+/// Loads `bytes` bytes, the first of which may be a pixel's.
 template <std::size_t bytes>
 V load(const Byte* from) {
-  // One load, or bytes put together in registers: a number read from bytes just written waits for them.
+  // Takes one load, or puts bytes together in registers: a load of bytes that were just written would wait
+  // for them.
   std::uint32_t packed = 0;
   if constexpr (bytes == sizeof packed) {
     std::memcpy(&packed, from, sizeof packed);
@@ -59,7 +61,7 @@ void store(V pixel, Byte* to) {
   for (std::size_t c = 0; c < step; ++c) to[c] = static_cast<Byte>(bytes >> (8 * c));
 }
 
-/// A place in a filtered row and in the row above; the pixels before both of them, 0 at the edge.
+/// A place in a filtered row and in the row above, and the pixels before both of them, 0 at the edge.
 struct Place {
   Byte* row;
   const Byte* up;
@@ -102,7 +104,7 @@ bool is_same(V a, V b) {
   return (_mm_movemask_epi8(_mm_cmpeq_epi16(a, b)) & all) == all;
 }
 
-/// Where the pixel before is the one above it, zeros repeat the row above, as they mostly do in rendered
+/// Where the pixel before equals the one above it, zeros repeat the row above, as they mostly do in rendered
 /// pictures.
 template <std::size_t step>
 void undo_paeth(Byte* row, const Byte* up, std::size_t size) {
@@ -120,7 +122,7 @@ void undo_paeth(Byte* row, const Byte* up, std::size_t size) {
   }
 }
 
-/// PNG, section 9.4, as it stands there; for pixels that fill more than a register's half.
+/// PNG, section 9.4, to the letter, for pixels that fill more than half of a register.
 template <std::size_t step>
 void undo_wide_paeth(Byte* row, const Byte* up, std::size_t size) {
   for (std::size_t x = 0; x < size; ++x) {

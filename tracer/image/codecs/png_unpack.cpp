@@ -47,7 +47,7 @@ class Pixels {
 
   std::array<unsigned, 4> scaled(const unsigned* samples) const {
     const std::size_t count = png_.samples();
-    // 1, 2 and 4 bits are 255, 85 and 17 of 8.
+    // Levels of 1, 2 and 4 bits are multiples of 255, 85 and 17.
     const unsigned factor = png_.depth < 8 ? 255U / ((1U << png_.depth) - 1) : 1U;
     std::array<unsigned, 4> pixel{};
     bool is_key = png_.is_transparent();

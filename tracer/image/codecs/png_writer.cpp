@@ -39,8 +39,8 @@ std::string header(int width, int height) {
   return data.append(rgb_of_8_bits);
 }
 
-/// What OpenImageIO says of such a picture: sRGB, absolute colorimetric; and, for readers that do not know
-/// sRGB, its gamma and its white and primaries, times 100000.
+/// Appends what OpenImageIO says of such a picture: sRGB, absolute colorimetric. For readers that do not know
+/// sRGB it adds gamma, white and primaries, times 100000.
 void append_colour_space(std::string& file) {
   append_chunk(file, "gAMA", big_endian(45455));
   append_chunk(file, "sRGB", "\x03");
@@ -57,8 +57,8 @@ struct Buffer {
   std::size_t size;
 };
 
-/// Each row after filter 0, none: on rendered pictures the others save at most a sixth of the file, and take
-/// longer to deflate.
+/// Puts filter 0, none, before each row. On rendered pictures other filters save at most a sixth of the file,
+/// and take longer to deflate.
 Buffer filtered(std::span<const Byte> rgb, std::size_t row) {
   const std::size_t height = rgb.size() / row;
   Buffer rows(rgb.size() + height);
@@ -84,7 +84,7 @@ Buffer deflated(const Buffer& data) {
   return packed;
 }
 
-/// A picture that comes whole is deflated by libdeflate, in bands by zlib.
+/// Deflates a picture that comes at once with libdeflate, one in bands with zlib.
 class PngWriter final : public RowWriter<Byte> {
  public:
   PngWriter(ByteSink& file, int width, int height)

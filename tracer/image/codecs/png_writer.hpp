@@ -1,4 +1,4 @@
-// PNG (W3C, second edition) of 8-bit sRGB. OpenImageIO's start alone takes longer than most renders.
+// Writes PNG (W3C, second edition) of 8-bit sRGB. OpenImageIO's start alone takes longer than most renders.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@
 
 namespace plumb::codecs {
 
-/// Of width x height pixels of 8 bits, both sizes at least 1; the file, which must outlive it, says that they
-/// are sRGB. Throws std::bad_alloc.
+/// Makes a writer of width x height pixels of 8 bits, both at least 1. The file, which must outlive it, says
+/// that they are sRGB. Throws std::bad_alloc.
 using WritePng = std::unique_ptr<RowWriter<std::uint8_t>> (*)(ByteSink& file, int width, int height);
 
 inline constexpr const char* write_png_symbol = "plumb_codecs_write_png";

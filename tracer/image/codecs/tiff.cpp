@@ -10,7 +10,7 @@
 namespace plumb::codecs {
 namespace {
 
-/// Without alpha, and not from white to black.
+/// True for floats without alpha, of which 0 is black.
 bool is_plain_float(const TiffFile& file) {
   const auto meaning = file.field<std::uint16_t>(TIFFTAG_PHOTOMETRIC);
   const auto channels = file.field<std::uint16_t>(TIFFTAG_SAMPLESPERPIXEL);

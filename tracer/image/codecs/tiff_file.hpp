@@ -1,4 +1,4 @@
-// A TIFF in memory, as libtiff sees it.
+// A TIFF in memory, opened by libtiff.
 #pragma once
 
 #include <tiffio.h>
@@ -13,7 +13,7 @@ namespace plumb::codecs {
 
 class TiffFile {
  public:
-  /// The bytes must outlive it. get() is null when libtiff does not understand the header.
+  /// The bytes must outlive this object. get() is null when libtiff does not understand the header.
   explicit TiffFile(std::string_view bytes);
 
   TIFF* get() const { return file_.get(); }
@@ -39,8 +39,8 @@ class TiffFile {
   std::unique_ptr<TIFF, Close> file_;
 };
 
-/// Chooses the page that is asked for, and says in `contents` which one it is and what else there is. Throws
-/// naming the file when there is no such page.
+/// Chooses the page that is asked for. Writes into `contents` which one it is and what else there is. Throws
+/// std::runtime_error naming the file when there is no such page.
 void choose_page(const Source& source, const TiffFile& file, FileContents& contents);
 
 }  // namespace plumb::codecs

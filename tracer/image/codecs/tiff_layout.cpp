@@ -56,7 +56,7 @@ class Layout {
     return number(at + head + entries * entry, word_, "directory");
   }
 
-  /// A value that fits stands in the entry itself.
+  /// Checks an entry. A value that fits stands in the entry itself.
   void check_entry(std::uint64_t at, Pieces& strips, Pieces& tiles) const {
     const std::uint64_t tag = number(at, 2, "entry"), type = number(at + 2, 2, "entry");
     Values values{at + 4 + word_, number(at + 4, word_, "entry"), type < sizes.size() ? sizes[type] : 0U};
@@ -69,7 +69,8 @@ class Layout {
     if (tag == 325) tiles.counts = values;
   }
 
-  /// Pages that share their lists of pieces could make a short file take hours.
+  /// Checks strips or tiles. Pages that share their lists could make a short file take hours, so there is a
+  /// limit.
   void check_pieces(const Pieces& pieces, const std::string& name) {
     const std::uint64_t count = std::min(pieces.offsets.count, pieces.counts.count);
     pieces_ += count;

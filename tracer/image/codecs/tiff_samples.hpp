@@ -1,4 +1,4 @@
-// Samples of a TIFF, whatever their kind, as components.
+// Converts samples of a TIFF, of any type, to components.
 #pragma once
 
 #include "tracer/image/codecs/tiff_file.hpp"
@@ -8,20 +8,21 @@ namespace plumb::codecs {
 enum class TiffMeaning { as_is, white_is_zero, palette };
 
 struct TiffLayout {
-  unsigned bits = 8;  ///< of a sample
+  unsigned bits = 8;  ///< number of bits of a sample
   std::uint16_t format = SAMPLEFORMAT_UINT;
-  std::size_t samples = 1;  ///< of a pixel in the file
+  std::size_t samples = 1;  ///< number per pixel in the file
   TiffMeaning meaning = TiffMeaning::as_is;
   std::vector<double> palette;  ///< r g b of each index, as components
-  bool is_planar = false;       ///< each sample has pieces of its own
+  bool is_planar = false;       ///< each sample has strips or tiles of its own
   Shape shape;
 };
 
-/// Of the page that is current. Throws naming the file for what isn't supported or too large.
+/// Describes the current page. Throws std::runtime_error naming the file for what is not supported or too
+/// large.
 TiffLayout tiff_layout(const Source& source, const TiffFile& file);
 
-/// Sample i of decoded bytes, as a component: whole numbers of up to 16 bits without a sign from 0 to 1, all
-/// others as they are.
+/// Returns sample i of the decoded bytes as a component. Unsigned integers of at most 16 bits become 0..1;
+/// all others stay as they are.
 double tiff_sample(const TiffLayout& layout, const std::byte* bytes, std::size_t i);
 
 }  // namespace plumb::codecs

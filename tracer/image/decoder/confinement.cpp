@@ -38,7 +38,7 @@ std::uint64_t mapped_bytes() {
   return pages * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
 }
 
-/// What allocation, the end of a process, and reading and writing open files take.
+/// The calls for allocation, the end of a process, and reading and writing open files.
 constexpr std::array allowed{
     SYS_read,         SYS_write,        SYS_pread64,     SYS_pwrite64,       SYS_readv,     SYS_writev,
     SYS_lseek,        SYS_close,        SYS_fstat,       SYS_newfstatat,     SYS_ftruncate, SYS_mmap,
@@ -52,7 +52,7 @@ sock_filter load(std::size_t offset) {
   return BPF_STMT(BPF_LD | BPF_W | BPF_ABS, static_cast<std::uint32_t>(offset));
 }
 sock_filter give(std::uint32_t action) { return BPF_STMT(BPF_RET | BPF_K, action); }
-/// Goes on with the next instruction, or past it when the number differs.
+/// Goes on with the next instruction, or skips it when the number differs.
 sock_filter skip_unless(std::uint32_t number) { return BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, number, 0, 1); }
 
 }  // namespace
@@ -69,7 +69,7 @@ void forbid_all_else() {
   if (has_sanitizers) return;
   std::vector<sock_filter> program{load(offsetof(seccomp_data, arch)), skip_unless(AUDIT_ARCH_X86_64),
                                    load(offsetof(seccomp_data, nr))};
-  // Of another architecture the number stays that of the architecture, which no call has.
+  // For another architecture, the number that is compared stays that of the architecture, which no call has.
   for (const long call : allowed) {
     program.push_back(skip_unless(static_cast<std::uint32_t>(call)));
     program.push_back(give(SECCOMP_RET_ALLOW));

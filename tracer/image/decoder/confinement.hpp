@@ -1,16 +1,16 @@
-// What a process that decodes other people's bytes may still do.
+// Confines a process that decodes other people's bytes.
 #pragma once
 
 #include <cstdint>
 
 namespace plumb::decoder {
 
-/// From now on: so much CPU, so much memory beyond what is loaded, files no longer than `file_bytes`, no
-/// core.
+/// From this call on the process may use this much CPU and this much memory beyond what is loaded, write no
+/// file longer than `file_bytes`, and leave no core. It dies with its parent.
 void limit_resources(int seconds, std::uint64_t memory_bytes, std::uint64_t file_bytes);
 
-/// From now on nothing but computing, memory, and reading and writing what is open already: any other system
-/// call fails with EPERM. For good.
+/// From this call on, for good, the process may only compute, use memory, and read and write what is open
+/// already. Any other system call fails with EPERM.
 void forbid_all_else();
 
 }  // namespace plumb::decoder

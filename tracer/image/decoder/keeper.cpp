@@ -20,11 +20,11 @@ void Keeper::run(const DecodeFiles& files, const std::function<void()>& work) {
   const pid_t process = ::fork();
   if (process == 0) {
     status.reset();
-    all_.clear();  // it writes to no pipe that is not its own
+    all_.clear();  // so that it writes to no pipe that is not its own
     work();
     ::_exit(1);
   }
-  if (process < 0) return;  // the closed pipe says it
+  if (process < 0) return;  // the closed pipe tells that
   const long handle = ::syscall(SYS_pidfd_open, process, 0);
   all_.push_back({process, std::make_unique<Descriptor>(static_cast<int>(handle)), std::move(status)});
 }
@@ -32,7 +32,7 @@ void Keeper::run(const DecodeFiles& files, const std::function<void()>& work) {
 bool Keeper::has_ended(const Kept& kept) {
   int status = 0;
   if (::waitpid(kept.process, &status, WNOHANG) != kept.process) return false;
-  static_cast<void>(!::write(kept.status->number(), &status, sizeof status));  // who gave up does not read it
+  static_cast<void>(!::write(kept.status->number(), &status, sizeof status));  // nobody reads it who gave up
   return true;
 }
 

@@ -1,4 +1,4 @@
-// The processes that the decoder makes, one for each file, until each has ended and that is said.
+// Keeps the processes that the decoder makes, one for each file, until each has ended and that is reported.
 #pragma once
 
 #include <sys/types.h>
@@ -12,7 +12,7 @@
 
 namespace plumb::decoder {
 
-/// Writes to the pipe `status` of each how it ended. One whose pipe nobody reads any more is killed.
+/// Writes to each process' `status` pipe how it ended. Kills a process whose pipe nobody reads any more.
 class Keeper {
  public:
   Keeper() = default;
@@ -20,9 +20,9 @@ class Keeper {
   Keeper(const Keeper&) = delete;
   Keeper& operator=(const Keeper&) = delete;
 
-  /// Runs the work in a process of its own. The files are its own, and closed here.
+  /// Runs the work in a process of its own. The files go to that process and are closed here.
   void run(const DecodeFiles& files, const std::function<void()>& work);
-  /// Until there is something to read from the socket, or its other end is closed.
+  /// Returns when there is something to read from the socket, or its other end is closed.
   void keep_until_readable(int socket);
 
  private:

@@ -1,6 +1,6 @@
 // plumb-decode: decodes files for `plumb`, which starts it and trusts nothing that it says. It never looks at
-// a file itself: it loads the libraries, once, and makes a process for each file, which is confined before it
-// does.
+// a file itself. It loads the libraries once, and makes a process for each file; that process is confined
+// before it looks.
 #include <fcntl.h>
 #include <unistd.h>
 
@@ -31,7 +31,7 @@ bool needs_codecs(const DecodeRequest& request) {
 }
 bool needs_oiio(const DecodeRequest& request) { return !needs_codecs(request) || request.has_other_decoder; }
 
-/// Loads the modules while that is still possible; they stay loaded.
+/// Loads the modules while that is still possible. They stay loaded.
 class Decoder {
  public:
   explicit Decoder(const DecodeRequest& request) {
@@ -105,8 +105,8 @@ DecodedMessage outcome(const DecodeRequest& request, const DecodeFiles& files, D
   return message;
 }
 
-/// What the process of one file does. Without destructors and leak checkers at its end: both may need what is
-/// forbidden by then.
+/// What the process of one file does. It ends without destructors and leak checkers, because both may need
+/// what is forbidden by then.
 [[noreturn]] void become_decoder(const DecodeRequest& request, const DecodeFiles& files) {
   try {
     Decoder decoder(request);
@@ -120,8 +120,8 @@ DecodedMessage outcome(const DecodeRequest& request, const DecodeFiles& files, D
   }
 }
 
-/// Loaded here once, its modules are there in every process that is made later. Whether that worked each of
-/// them says.
+/// Loads the modules here once, so that they are there in every process that is made later. Each process
+/// itself reports whether that worked.
 void load_modules_for(const DecodeRequest& request) {
   try {
     const Decoder decoder(request);
@@ -154,7 +154,7 @@ int serve(int socket) {
 
 namespace {
 
-/// What plumb or who started it left open is none of its business; it prints nothing but to standard error.
+/// Closes what plumb, or who started it, left open, and lets nothing be printed but to standard error.
 bool keeps_its_own_files_alone() {
   const int nothing = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
   return nothing >= 0 && ::dup2(nothing, STDOUT_FILENO) >= 0 && ::close_range(STDERR_FILENO + 1, ~0U, 0) == 0;

@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The state stands behind the name, which is in parentheses.
+/// True if the thread sleeps. Its state stands behind its name, which is in parentheses.
 bool sleeps(const fs::path& task) {
   std::string text;
   std::getline(std::ifstream(task / "stat"), text);

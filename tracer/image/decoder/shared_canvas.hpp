@@ -1,4 +1,4 @@
-// Pixels in memory that the program which asked for them sees, too.
+// Pixels in memory that is shared with the program which asked for them.
 #pragma once
 
 #include "tracer/image/canvas.hpp"
@@ -12,7 +12,7 @@ class SharedCanvas final : public Canvas {
       : file_(file), path_(std::move(path)), limits_(limits) {}
 
   std::byte* rows_for(const Shape& shape) override;
-  /// Doubles that float32 holds all alike become floats. Returns the shape as it then is.
+  /// Ends decoding and returns the shape. Doubles become floats when float32 holds all of them.
   const Shape& finish();
 
  private:
