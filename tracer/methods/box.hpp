@@ -1,4 +1,4 @@
-// Ways to meet an axis-parallel box, each as an entry for formulas::intersect_box.
+// Ways to intersect an axis-parallel box, each as an entry for formulas::intersect_box.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace plumb::methods {
 
-/// Whether the ray moves away from the face that it starts on.
+/// True if the ray moves away from the face that it starts on.
 template <class Real>
 bool moves_away(const Ray<Real>& ray, Face start) {
   if (start == no_face) return false;
@@ -18,7 +18,7 @@ bool moves_away(const Ray<Real>& ray, Face start) {
   return start % 2 == 0 ? d <= 0 : d >= 0;
 }
 
-/// Where the ray meets the plane of a face, when the point lies within the face's rectangle.
+/// Returns t where the ray meets the plane of a face, if that point lies within the face's rectangle.
 template <class Real>
 std::optional<Real> plane_hit(const Ray<Real>& ray, const Corners<Real>& box, Face face) {
   const int axis = face / 2;
@@ -33,6 +33,7 @@ std::optional<Real> plane_hit(const Ray<Real>& ray, const Corners<Real>& box, Fa
   return t;
 }
 
+/// Returns the nearest plane_hit of the faces that `takes` accepts.
 template <class Real, class Takes>
 std::optional<FaceHit<Real>> nearest_plane(const Ray<Real>& ray, const Corners<Real>& box, Takes takes) {
   std::optional<FaceHit<Real>> nearest;
@@ -44,14 +45,14 @@ std::optional<FaceHit<Real>> nearest_plane(const Ray<Real>& ray, const Corners<R
   return nearest;
 }
 
-/// Slide "Quader" to the letter: all six planes, each point tested against the face's rectangle.
+/// Slide "Quader" to the letter: tests all six planes, and each point against the face's rectangle.
 template <class Real>
 std::optional<FaceHit<Real>> box_six_planes(const Ray<Real>& ray, const Corners<Real>& box, Face start) {
   if (moves_away(ray, start)) return std::nullopt;
   return nearest_plane(ray, box, [start](Face face) { return face != start; });
 }
 
-/// Slide "Quader": of the planes only those that face the viewer; from inside, all others (Woo, "Fast Ray-Box
+/// Slide "Quader": tests only the planes that face the viewer, and from inside all others (Woo, "Fast Ray-Box
 /// Intersection", Graphics Gems, 1990).
 template <class Real>
 std::optional<FaceHit<Real>> box_front_faces(const Ray<Real>& ray, const Corners<Real>& box, Face start) {
@@ -63,7 +64,7 @@ std::optional<FaceHit<Real>> box_front_faces(const Ray<Real>& ray, const Corners
   return nearest_plane(ray, box, [&](Face face) { return face != start && !faces_viewer(face); });
 }
 
-/// The part of a ray within the slabs so far.
+/// The part of a ray that lies within all slabs so far.
 template <class Real>
 struct Span {
   FaceHit<Real> enter{-std::numeric_limits<Real>::infinity(), no_face};
@@ -80,7 +81,7 @@ struct Span {
   }
 };
 
-/// Slabs (Kay and Kajiya, "Ray Tracing Complex Scenes", SIGGRAPH 1986): two divisions an axis, sorted.
+/// Slabs (Kay and Kajiya, "Ray Tracing Complex Scenes", SIGGRAPH 1986): two divisions per axis, sorted.
 template <class Real>
 std::optional<FaceHit<Real>> box_kay_kajiya(const Ray<Real>& ray, const Corners<Real>& box, Face start) {
   if (moves_away(ray, start)) return std::nullopt;
@@ -114,10 +115,10 @@ Span<Real> span_by_reciprocals(const Ray<Real>& ray, const Corners<Real>& box) {
   return span;
 }
 
-/// Slabs by the sign of 1/d, no case for zero (Williams, Barrus, Morley, Shirley, "An Efficient and Robust
-/// Ray-Box Intersection Algorithm", JGT 10, 2005), comparison by comparison: the x slab is taken as it is. So
-/// an x plane through the origin of a ray across x, 0 times infinity, stays in the span, and the box is lost;
-/// in y and z every comparison passes it by.
+/// Slabs by the sign of 1/d, without a case for zero (Williams, Barrus, Morley, Shirley, "An Efficient and
+/// Robust Ray-Box Intersection Algorithm", JGT 10, 2005). The comparisons are theirs, so the x slab is taken
+/// as it is. Where a ray across x starts on an x plane, 0 times infinity stays in the span and the box is
+/// lost. In y and z every comparison ignores it.
 template <class Real>
 std::optional<FaceHit<Real>> box_williams(const Ray<Real>& ray, const Corners<Real>& box, Face start) {
   if (moves_away(ray, start)) return std::nullopt;
@@ -134,15 +135,15 @@ std::optional<FaceHit<Real>> box_williams(const Ray<Real>& ray, const Corners<Re
   return span.first_hit(start);
 }
 
-/// The same with the far side padded by 2 ulp, so that rounding loses no hit (Ize, "Robust BVH Ray
-/// Traversal", JCGT 2, 2013).
+/// Slabs whose far side is padded by 2 ulp, so that rounding loses no hit (Ize, "Robust BVH Ray Traversal",
+/// JCGT 2, 2013).
 template <class Real>
 std::optional<FaceHit<Real>> box_ize(const Ray<Real>& ray, const Corners<Real>& box, Face start) {
   if (moves_away(ray, start)) return std::nullopt;
   return span_by_reciprocals(ray, box).first_hit(start, 1 + 2 * std::numeric_limits<Real>::epsilon());
 }
 
-/// Any of them that does not know where the ray starts.
+/// Any of these methods, but unaware of the face that the ray starts on.
 template <class Real, auto intersect>
 std::optional<FaceHit<Real>> box_unaware(const Ray<Real>& ray, const Corners<Real>& box, Face) {
   return intersect({ray.origin, ray.direction}, box, no_face);

@@ -18,7 +18,7 @@ namespace {
 template <class Real>
 using Table = textbook::FormulaTable<Real>;
 
-/// Shapes forget where a ray starts: then only its start or an epsilon keeps it off its surface.
+/// Makes shapes forget where a ray starts, so that only its start or an epsilon keeps it off its surface.
 template <class Real>
 void forget_surfaces(Table<Real>& table) {
   table.is_ahead = &methods::ahead_of_zero<Real>;

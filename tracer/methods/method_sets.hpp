@@ -1,4 +1,4 @@
-// Other ways to compute what the lecture draws, each a few entries of the textbook tracer's table replaced.
+// Other ways to compute what the lecture draws. Each replaces a few entries of the textbook tracer's table.
 #pragma once
 
 #include <string_view>
@@ -13,17 +13,17 @@ namespace plumb::references {
 struct MethodSet {
   std::string_view id;      ///< lower case, words joined by -
   std::string_view title;   ///< a few words
-  std::string_view source;  ///< author, year, title of the paper
+  std::string_view source;  ///< author, year, title of the paper; or where it is common
 };
 
 /// All sets; the first is "lecture", the default formulas.
 const std::vector<MethodSet>& method_sets();
 
-/// The set of that id, or null.
+/// Returns the set of that id, or null.
 const MethodSet* find_method_set(std::string_view id);
 
-/// The textbook tracer with those entries replaced, in job.real. Colours may not be finite. Throws what
-/// textbook::render throws, and std::invalid_argument for a set that is none of method_sets().
+/// Renders with the textbook tracer and the entries of `set`, in job.real. Colours may not be finite. Throws
+/// what textbook::render throws, and std::invalid_argument for a set that is none of method_sets().
 Image render_with_methods(const MethodSet& set, const Scene& scene, const Camera& camera,
                           const textbook::RenderJob& job);
 

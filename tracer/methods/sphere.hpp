@@ -1,4 +1,4 @@
-// Ways to meet a sphere, each as an entry for formulas::intersect_sphere: same arguments, same result.
+// Ways to intersect a sphere, each as an entry for formulas::intersect_sphere: same arguments, same result.
 #pragma once
 
 #include <cmath>
@@ -9,7 +9,7 @@
 
 namespace plumb::methods {
 
-/// The other root of a ray that starts on the sphere: all methods know their surface alike.
+/// Returns the other root of a ray that starts on the sphere. All methods know their surface in the same way.
 template <class Real>
 std::optional<Real> chord(const Ray<Real>& ray, const Vec3<Real>& offset) {
   const Real half_b = glm::dot(offset, ray.direction);
@@ -17,7 +17,7 @@ std::optional<Real> chord(const Ray<Real>& ray, const Vec3<Real>& offset) {
   return std::nullopt;
 }
 
-/// Of two roots, in order, the first that is positive.
+/// Returns the first of two ordered roots that is positive.
 template <class Real>
 std::optional<Real> first_positive(Real near_t, Real far_t) {
   if (near_t > 0) return near_t;
@@ -40,8 +40,9 @@ std::optional<Real> sphere_naive(const Ray<Real>& ray, const Vec3<Real>& center,
   return first_positive((-b - root) / (2 * a), (-b + root) / (2 * a));
 }
 
-/// a b - c d with an error of 1.5 ulp (Kahan; Jeannerod, Louvet, Muller, "Further analysis of Kahan's
-/// algorithm for the accurate computation of 2x2 determinants", Math. Comp. 82, 2013). Needs std::fma.
+/// Returns a b - c d with an error of at most 1.5 ulp, for types with std::fma (Kahan; Jeannerod, Louvet,
+/// Muller, "Further analysis of Kahan's algorithm for the accurate computation of 2x2 determinants", Math.
+/// Comp. 82, 2013).
 template <class Real>
 Real difference_of_products(Real a, Real b, Real c, Real d) {
   if constexpr (requires { std::fma(a, b, c); }) {
@@ -53,8 +54,8 @@ Real difference_of_products(Real a, Real b, Real c, Real d) {
   }
 }
 
-/// The roots q/a and c/q of a t^2 + 2 half_b t + c, free of cancellation (Press et al., Numerical Recipes,
-/// 3rd ed. 2007, section 5.6), the first positive one.
+/// Returns the first positive root of a t^2 + 2 half_b t + c. The roots are taken as q/a and c/q, which do
+/// not cancel (Press et al., Numerical Recipes, 3rd ed. 2007, section 5.6).
 template <class Real>
 std::optional<Real> stable_roots(Real a, Real half_b, Real c, Real discriminant) {
   using std::sqrt;
@@ -64,8 +65,8 @@ std::optional<Real> stable_roots(Real a, Real half_b, Real c, Real discriminant)
   return first_positive(c / (root - half_b), (root - half_b) / a);
 }
 
-/// Kahan's discriminant ("On the Cost of Floating-Point Computation Without Extra-Precise Arithmetic", 2004):
-/// exact to an ulp for the coefficients, which are rounded themselves.
+/// Kahan's discriminant ("On the Cost of Floating-Point Computation Without Extra-Precise Arithmetic", 2004).
+/// It is exact to an ulp for the given coefficients, which are rounded themselves.
 template <class Real>
 std::optional<Real> sphere_kahan(const Ray<Real>& ray, const Vec3<Real>& center, Real radius,
                                  bool starts_on_it) {
@@ -77,7 +78,7 @@ std::optional<Real> sphere_kahan(const Ray<Real>& ray, const Vec3<Real>& center,
   return stable_roots(a, half_b, c, difference_of_products(half_b, half_b, a, c));
 }
 
-/// Hearn and Baker's discriminant, r^2 less the squared distance of the centre from the line (Haines et al.,
+/// Hearn and Baker's discriminant: r^2 less the squared distance of the centre from the line (Haines et al.,
 /// "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems, 2019, chapter 7).
 template <class Real>
 std::optional<Real> sphere_haines(const Ray<Real>& ray, const Vec3<Real>& center, Real radius,
@@ -91,8 +92,9 @@ std::optional<Real> sphere_haines(const Ray<Real>& ray, const Vec3<Real>& center
   return stable_roots(a, half_b, glm::dot(offset, offset) - radius * radius, a * room);
 }
 
-/// The geometric way: half the chord from the distance of the centre along the ray, squared and subtracted
-/// (Haines, "Essential Ray Tracing Algorithms", in Glassner, An Introduction to Ray Tracing, 1989, 2.2).
+/// The geometric way: half the chord, from squares of the radius, of the centre's distance and of that
+/// distance along the ray (Haines, "Essential Ray Tracing Algorithms", in Glassner, An Introduction to Ray
+/// Tracing, 1989, 2.2).
 template <class Real>
 std::optional<Real> sphere_geometric(const Ray<Real>& ray, const Vec3<Real>& center, Real radius,
                                      bool starts_on_it) {
@@ -109,7 +111,7 @@ std::optional<Real> sphere_geometric(const Ray<Real>& ray, const Vec3<Real>& cen
   return first_positive((along - half_chord) / length, (along + half_chord) / length);
 }
 
-/// Any of them that does not know where the ray starts.
+/// Any of these methods, but unaware of whether the ray starts on the sphere.
 template <class Real, auto intersect>
 std::optional<Real> sphere_unaware(const Ray<Real>& ray, const Vec3<Real>& center, Real radius, bool) {
   return intersect({ray.origin, ray.direction}, center, radius, false);

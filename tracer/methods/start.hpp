@@ -10,44 +10,45 @@
 
 namespace plumb::methods {
 
-/// An entry for formulas::is_ahead.
+/// An entry for formulas::is_ahead that ignores the rounding.
 template <class Real>
 bool ahead_of_zero(Real t, Real) {
   return t > 0;
 }
 
-/// Toward the side of the surface that the ray leaves to.
+/// Returns n or -n, whichever points to the side of the surface where the ray goes.
 template <class Real>
 Vec3<Real> side_of(const Vec3<Real>& n, const Vec3<Real>& direction) {
   return glm::dot(n, direction) < 0 ? -n : n;
 }
 
-/// Entries for formulas::secondary_origin: point, unit normal, direction. The epsilon of most tracers, t >
-/// 1e-4 whatever the scene's size: no root before it counts, so the ray may as well start there.
+/// Entries for formulas::secondary_origin: point, unit normal, direction.
+/// The epsilon of most tracers, t > 1e-4 whatever the scene's size. No root before it counts, so the ray may
+/// as well start there.
 template <class Real>
 Vec3<Real> epsilon_ahead(const Vec3<Real>& point, const Vec3<Real>&, const Vec3<Real>& direction) {
   return point + Real(1e-4) * direction;
 }
 
-/// A fixed way along the normal.
+/// Goes a fixed distance along the normal.
 template <class Real>
 Vec3<Real> normal_offset(const Vec3<Real>& point, const Vec3<Real>& n, const Vec3<Real>& direction) {
   return point + Real(1e-4) * side_of(n, direction);
 }
 
-/// Distance of a number to the next, as if it were at least the smallest normal float.
+/// Returns the distance from a number to the next. Numbers below the smallest normal float count as that.
 template <class Real>
 Real ulp_of(Real value) {
-  using Wide = long double;  // that ldexp and ilogb know
+  using Wide = long double;  // a type that ldexp and ilogb know
   const Wide least = std::numeric_limits<float>::min();
   const Wide size = std::max(std::fabs(static_cast<Wide>(value)), least);
   return static_cast<Real>(std::ldexp(static_cast<Wide>(1), std::ilogb(size))) *
          std::numeric_limits<Real>::epsilon();
 }
 
-/// 256 ulps along the normal, and 1/65536 near the origin (Waechter, Binder, "A Fast and Robust Method for
-/// Avoiding Self-Intersection", Ray Tracing Gems, 2019, chapter 6). Their constants are for float; those of
-/// wider types keep their ratio to its epsilon.
+/// Goes 256 ulps along the normal, and 1/65536 near the origin (Waechter, Binder, "A Fast and Robust Method
+/// for Avoiding Self-Intersection", Ray Tracing Gems, 2019, chapter 6). Their constants are for float; those
+/// of wider types keep their ratio to epsilon.
 template <class Real>
 Vec3<Real> waechter_binder(const Vec3<Real>& point, const Vec3<Real>& n, const Vec3<Real>& direction) {
   using std::abs;
@@ -62,9 +63,9 @@ Vec3<Real> waechter_binder(const Vec3<Real>& point, const Vec3<Real>& n, const V
   return origin;
 }
 
-/// By the bound of the point's error, |p| gamma(5) along the normal, then one ulp further out (Pharr, Jakob,
-/// Humphreys, Physically Based Rendering, 4th ed. 2023, section 6.8.6; the bound is that of a point that was
-/// put back onto its sphere).
+/// Goes along the normal by the bound of the point's error, |p| gamma(5), and then one ulp further (Pharr,
+/// Jakob, Humphreys, Physically Based Rendering, 4th ed. 2023, section 6.8.6). The bound is that of a point
+/// that was put back onto its sphere.
 template <class Real>
 Vec3<Real> error_bound(const Vec3<Real>& point, const Vec3<Real>& n, const Vec3<Real>& direction) {
   const Real half = std::numeric_limits<Real>::epsilon() / 2;
@@ -77,7 +78,7 @@ Vec3<Real> error_bound(const Vec3<Real>& point, const Vec3<Real>& n, const Vec3<
   return outward;
 }
 
-/// An entry for formulas::shadow_ray that starts where `origin` says and does not know its surface.
+/// An entry for formulas::shadow_ray: starts where `origin` says and does not know its surface.
 template <class Real, auto origin>
 formulas::ShadowRay<Real> shadow_from(const Vec3<Real>& point, const Vec3<Real>& n,
                                       const formulas::Toward<Real>& to_light, const Vec3<Real>&) {
