@@ -16,7 +16,7 @@ namespace {
 
 double largest(const Vec3d& v) { return std::max({v.x, v.y, v.z}); }
 
-/// Where the ray leaves the shape; no value where it enters it first, or misses.
+/// Returns where the ray leaves the shape, or no value where it enters it first or misses.
 template <class Real>
 std::optional<Real> exit_distance(const Sphere& sphere, const Ray<Real>& ray) {
   const Vec3<Real> center(sphere.center);
@@ -34,11 +34,11 @@ std::optional<Real> exit_distance(const Box& box, const Ray<Real>& ray) {
                                                                             : std::nullopt;
 }
 
-/// Of the numbers that it is made of.
+/// Returns the largest of the numbers that the shape is made of.
 double size_of(const Sphere& sphere) { return largest(glm::abs(sphere.center)) + sphere.radius; }
 double size_of(const Box& box) { return largest(glm::max(glm::abs(box.min), glm::abs(box.max))); }
 
-/// Whether a surface of the shape is within the margin; true where that is no number.
+/// True if a surface of the shape is within the margin, or if that is no number.
 bool is_near_surface(const Sphere& sphere, const Vec3d& place, double margin) {
   return !(std::abs(glm::length(place - sphere.center) - sphere.radius) > margin);
 }
@@ -47,7 +47,7 @@ bool is_near_surface(const Box& box, const Vec3d& place, double margin) {
   return !(std::abs(std::max({outside.x, outside.y, outside.z})) > margin);
 }
 
-/// Far more than products of matrices round, so that no glass is passed by: all that costs is a look at more.
+/// Far more than products of matrices round, so that no glass is missed. It only costs a look at more glass.
 template <class Real>
 constexpr double slack = std::max(1e-9, 4 * static_cast<double>(formulas::resolution<Real>()));
 
@@ -64,7 +64,7 @@ struct Room {
   bool excludes(const Vec3d& p, double margin) const {
     return glm::any(glm::lessThan(p + margin, min)) || glm::any(glm::greaterThan(p - margin, max));
   }
-  /// Around what the matrix makes of it; everything when that overflows.
+  /// Returns the room around its image under the matrix; everything when that overflows.
   Room moved(const Mat4<double>& m) const {
     const Vec3d middle = formulas::transform_point(m, (min + max) / 2.0);
     const Vec3d rounding =
@@ -77,7 +77,7 @@ struct Room {
 
 }  // namespace
 
-/// Descends only where glass can be about the eye, and counts the instances of the rest.
+/// Descends only where glass can be around the eye, and counts the instances of the rest.
 template <class Real>
 class DielectricsAroundEye<Real>::Search {
  public:
@@ -86,7 +86,7 @@ class DielectricsAroundEye<Real>::Search {
     for (const ShapeId id : order_of_composites(scene).children_first) add_room(id);
     ray_.t_min = formulas::resolution<Real>() * static_cast<Real>(largest(glm::abs(Vec3d(eye))));
     visit_all(scene_.roots(), Transform<Real>{}, 0);
-    // What the camera does not look into lies innermost: it is left first.
+    // Glass that the camera does not look into lies innermost, because it is left first.
     for (Glass& glass : glass_)
       if (glass.is_near) glass.exit = exit_of(glass, ray_.direction).value_or(0);
     std::stable_sort(glass_.begin(), glass_.end(),
@@ -106,7 +106,7 @@ class DielectricsAroundEye<Real>::Search {
   }
 
  private:
-  /// What the eye is inside of, or as near to as rounding can tell.
+  /// Glass that the eye is inside of, or as near to as rounding can tell.
   struct Glass {
     EnclosingDielectric dielectric;
     Real exit;  ///< ahead of the camera
@@ -206,7 +206,8 @@ class DielectricsAroundEye<Real>::Search {
                       glass.shape->geometry);
   }
 
-  /// In the space of a shape of that size: what the roundings of its surface and of the eye's place come to.
+  /// Returns, in the space of a shape of that size, what the roundings of its surface and of the eye's place
+  /// add up to.
   double margin(const Transform<Real>& here, double size) const {
     const Vec3d eye = glm::abs(Vec3d(ray_.origin));
     const Mat4<double> m(here.inverse);

@@ -1,10 +1,10 @@
-// Questions about a shape that have an answer for each kind of shapes.
+// Asks a question about a shape that each kind of shapes answers.
 #pragma once
 
 namespace plumb {
 
 /// For std::visit(EachKind{[](const Sphere&) ..., [](const Box&) ..., [](const Composite&) ...},
-/// shape.geometry): a kind without an answer does not compile.
+/// shape.geometry). A kind without an answer does not compile.
 template <class... Answers>
 struct EachKind : Answers... {
   using Answers::operator()...;

@@ -1,4 +1,4 @@
-// Lights that lie exactly on a surface: whether it hides them is left to rounding.
+// Finds lights that lie exactly on a surface, where rounding decides whether it hides them.
 #pragma once
 
 #include <vector>
@@ -12,9 +12,9 @@ struct LightOnSurface {
   ShapeId shape;  ///< the first sphere or box of the world that it lies on
 };
 
-/// Those whose distance from a surface is nothing within the rounding of the numbers that place it. Lights
-/// that do not shine are left out. Expects a scene without hierarchy errors. Looks at nothing when that would
-/// be more than a million instances, once for each light.
+/// Returns the lights whose distance from a surface is zero within the rounding of the numbers that place it.
+/// Leaves out lights that do not shine. Expects a scene without hierarchy errors. Returns nothing when lights
+/// times instances are more than a million.
 std::vector<LightOnSurface> lights_on_surfaces(const Scene& scene);
 
 }  // namespace plumb

@@ -1,4 +1,4 @@
-// A picture that is asked of a tracer.
+// How a tracer is to make a picture: size, options, samples, real type, threads.
 #pragma once
 
 #include <functional>
@@ -7,10 +7,10 @@
 
 namespace plumb {
 
-/// `quad` has 113 bits, the most.
+/// The real type to compute in; `quad` has 113 significant bits, the most.
 enum class RealType { float32, float64, long_double, quad };
 
-/// Where in a pixel its samples lie.
+/// Where the samples of a pixel lie.
 enum class SamplePattern {
   grid,             ///< the pixel centres of a picture that is n times as large, for n * n samples
   low_discrepancy,  ///< Hammersley's points (Hammersley, "Monte Carlo Methods for Solving Multivariable
@@ -21,11 +21,11 @@ struct RenderJob {
   int width = 480;
   int height = 320;
   RenderOptions options;
-  int samples = 1;  ///< of a pixel, averaged; one is the pixel's centre, in both patterns
+  int samples = 1;  ///< per pixel, averaged; a single one is the pixel's centre, in both patterns
   SamplePattern pattern = SamplePattern::grid;
   RealType real = RealType::float64;
   int threads = 0;  ///< 0: as many as the machine runs at once
-  /// Called now and then, from one thread at a time, with the fraction that is done; may be empty.
+  /// Called now and then, by one thread at a time, with the fraction that is done (0 to 1). May be empty.
   std::function<void(double)> progress;
 };
 

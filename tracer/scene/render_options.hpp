@@ -1,19 +1,19 @@
-// What a renderer is asked beyond the scene.
+// What a renderer is asked for beyond the scene.
 #pragma once
 
 namespace plumb {
 
 /// What glass does to a shadow ray (slide "Schatten" and the decision on it).
 enum class GlassShadow {
-  full,      ///< the lecture: any object blocks, glass too
+  full,      ///< the lecture's rule: any object blocks, glass too
   none,      ///< transmissive objects cast no shadow
   filtered,  ///< the light is multiplied by kt at every surface of glass
 };
 
 struct RenderOptions {
-  int depth = 8;  ///< D: trace(depth >= D) is black; the primary ray has depth 0; 1..256
+  int depth = 8;  ///< D, from 1 to 256: trace(depth >= D) is black; the primary ray has depth 0
   GlassShadow glass_shadow = GlassShadow::full;
-  bool shadows = true;  ///< without, every light that counts is seen
+  bool shadows = true;  ///< false: nothing hides a light
   bool operator==(const RenderOptions&) const = default;
 };
 

@@ -1,5 +1,5 @@
-// What a scene file says, as plain data. Lengths share one arbitrary unit, colours are linear RGB,
-// angles are degrees. Real numbers are double, as the text was rounded.
+// What a scene file says, as plain data. Lengths share one arbitrary unit, colours are linear RGB, angles are
+// degrees. Real numbers are the doubles that are nearest to the text.
 #pragma once
 
 #include <cstddef>
@@ -85,7 +85,7 @@ struct Light {
   Rgbd intensity() const { return brightness * color; }
 };
 
-/// Defaults: at the origin, looking along -z, y upwards.
+/// By default it stands at the origin and looks along -z, with y upwards.
 struct Camera {
   std::string name = "default";
   double fov_x_degrees = 45;
@@ -117,11 +117,11 @@ struct Scene {
   /// Shapes that are nobody's child, in the order of the file: the children of the world.
   std::vector<ShapeId> roots() const;
 
-  /// Throws std::invalid_argument, naming the cameras there are, when there is none of that name.
+  /// Throws std::invalid_argument, naming the cameras of the scene, when none has that name.
   const Camera& camera(const std::string& name) const;
 };
 
-/// The material of a sphere or a box; a composite has none (null).
+/// Returns the material of a sphere or a box (it points into the shape), or null for a composite.
 const MaterialId* material_of(const Shape& shape);
 
 /// The children of a composite; none of a sphere or a box.
@@ -152,7 +152,7 @@ Transform<Real> product_of(const std::vector<TransformStep>& steps) {
   return all;
 }
 
-/// What products of transforms are taken in, so that a chain of thousands is rounded once.
+/// The type in which products of transforms are computed, so that a chain of thousands is rounded once.
 template <class Real>
 struct ProductIn {
   using Type = Real;
@@ -166,7 +166,7 @@ struct ProductIn<double> {
   using Type = long double;
 };
 
-/// The same, rounded to Real at the end.
+/// The same, computed in ProductIn<Real> and rounded to Real at the end.
 template <class Real>
 Transform<Real> transform_of(const std::vector<TransformStep>& steps) {
   if (steps.size() < 2) return product_of<Real>(steps);
@@ -174,7 +174,7 @@ Transform<Real> transform_of(const std::vector<TransformStep>& steps) {
   return {Mat4<Real>(all.matrix), Mat4<Real>(all.inverse)};
 }
 
-/// A camera after its transform: what the slide "Kameratransformation" starts from.
+/// A camera after its transform, in world space: what the slide "Kameratransformation" starts from.
 template <class Real>
 struct CameraPose {
   Vec3<Real> eye;

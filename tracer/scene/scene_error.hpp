@@ -1,11 +1,11 @@
-// What is wrong with a scene as a whole.
+// The error of a scene that cannot be used.
 #pragma once
 
 #include <stdexcept>
 
 namespace plumb {
 
-/// A file that cannot be used, with a message that names it.
+/// The message says what is wrong with the scene.
 class SceneError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

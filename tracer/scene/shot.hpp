@@ -9,13 +9,13 @@
 
 namespace plumb {
 
-/// Of a picture, in pixels.
+/// The size of a picture, in pixels.
 struct Size {
   int width;
   int height;
 };
 
-/// Scene and camera must outlive it.
+/// A picture that is asked for. Scene and camera must outlive it.
 struct Shot {
   const Scene& scene;
   const Camera& camera;
@@ -32,11 +32,11 @@ struct ShotOptions {
   RenderOptions render{};
 };
 
-/// The picture that the scene's first render line asks for, but for what the options say. The scene must
+/// Returns the picture that the scene's first render line asks for, as the options change it. The scene must
 /// outlive it. Throws std::invalid_argument when the scene has no such camera.
 Shot shot_of(const Scene& scene, const ShotOptions& options, const std::string& file = {});
 
-/// How to render it, with the shot's size and options.
+/// Returns how to render it, with the shot's size and options.
 RenderJob job_of(const Shot& shot, RenderJob how = {});
 
 }  // namespace plumb
