@@ -1,4 +1,4 @@
-// Where the bytes of a file go; an interface, so that modules can write, too.
+// Where the bytes of a file go. It is an interface, so that modules can write, too.
 #pragma once
 
 #include <cstdint>
@@ -13,10 +13,10 @@ class ByteSink {
   ByteSink(const ByteSink&) = delete;
   ByteSink& operator=(const ByteSink&) = delete;
 
-  /// From the position on, which then is behind them. Throws std::runtime_error naming the file and the
-  /// cause.
+  /// Writes the bytes at the position and moves it behind them. Throws std::runtime_error naming the file and
+  /// the cause.
   virtual void write(std::string_view bytes) = 0;
-  /// The next position, in bytes from the file's start; what is left out on the way is filled later.
+  /// Sets the position, in bytes from the file's start. The caller writes a range that it skips later.
   virtual void seek(std::uint64_t position) = 0;
 };
 

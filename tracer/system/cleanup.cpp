@@ -15,7 +15,7 @@
 namespace plumb {
 namespace {
 
-/// A place for one path, of fixed size: a signal handler may not allocate.
+/// A place for one path. Its size is fixed, because a signal handler may not allocate.
 struct Slot {
   std::atomic<bool> is_taken{false};
   std::atomic<bool> is_ready{false};
@@ -23,7 +23,7 @@ struct Slot {
 };
 std::array<Slot, 64> slots;  // one for each file and directory that is open at once; others are not removed
 
-/// Only what this program names so is ever removed: whatever happens, nothing of the user's.
+/// True for names that only this program gives. Nothing else is ever removed, so nothing of the user's.
 bool is_ours(const char* path) {
   const char* const slash = std::strrchr(path, '/');
   const char* const name = slash == nullptr ? path : slash + 1;
@@ -55,7 +55,7 @@ void remove_all() {
   }
 }
 
-/// Which file it was is not known here: what is at the address may be given back at the same time.
+/// It is not known here which file it was: what is at the address may be unmapped at the same time.
 [[noreturn]] void on_cut_file(int) {
   remove_all();
   constexpr std::string_view said =

@@ -1,11 +1,11 @@
-// An open file's number.
+// Owns the descriptor of an open file.
 #pragma once
 
 #include <unistd.h>
 
 namespace plumb {
 
-/// A descriptor that is closed at the end of its scope.
+/// Closes the descriptor at the end of its scope. A negative number means that nothing is open.
 class Descriptor {
  public:
   explicit Descriptor(int number) : number_(number) {}

@@ -1,4 +1,4 @@
-// Large arrays that are filled once: the kernel hands out their memory in few pieces instead of many.
+// Makes the kernel hand out the memory of large arrays in few pieces instead of many.
 #pragma once
 
 #include <sys/mman.h>
@@ -7,8 +7,8 @@
 
 namespace plumb {
 
-/// A hint for memory that is reserved and not yet written to: 2 MiB at a time where the system has such
-/// pages. Less than that is left alone.
+/// Hints that memory which is reserved and not yet written to should come in pages of 2 MiB, where the system
+/// has them. Does nothing when no such page fits into it.
 inline void prefer_huge_pages(void* begin, std::size_t bytes) {
 #ifdef MADV_HUGEPAGE
   constexpr std::uintptr_t page = std::uintptr_t{1} << 21;

@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Below share/plumb, and in the source.
+/// The directory below share/plumb, and that in the source.
 struct Layout {
   const char* installed;
   const char* in_source;
@@ -43,7 +43,7 @@ bool holds_data(const fs::path& path) {
   return fs::is_directory(path, none);
 }
 
-/// Where the loader finds the modules for a program that was linked with plumb's libraries.
+/// Returns where the loader finds the modules for a program that was linked with plumb's libraries.
 fs::path along_run_path() {
   void* const loaded = dlopen("plumb_codecs.so", RTLD_NOW | RTLD_LOCAL);
   std::array<char, PATH_MAX> directory{};

@@ -1,5 +1,4 @@
-// Where plumb's own files lie: in an installation, beside a program that was moved, or in a build and its
-// source.
+// Finds plumb's own files: in an installation, beside a program that was moved, or in a build and its source.
 #pragma once
 
 #include <string>
@@ -9,27 +8,29 @@ namespace plumb {
 
 /// Directories of data that the program reads.
 enum class Data {
-  scenes,  ///< of the lecture: *.sdf, and TEACHING.md
+  scenes,  ///< scenes of the lecture, *.sdf, and TEACHING.md
   images,  ///< the stored reference images and their provenance
   chart    ///< the scripts that draw charts
 };
 
-/// The directory of the running program, without links.
+/// Returns the directory of the running program, with links resolved.
 std::string program_directory();
 
-/// The source that this program was built from; it may be gone. The one place that knows it.
+/// Returns the directory of the source that this program was built from; it may be gone. Nothing else knows
+/// it.
 std::string source_directory();
 
-/// The directory of these data: in $PLUMB_DATA when it is set, else in ../share/plumb beside the program,
-/// else in the build's source. Throws std::runtime_error that names where it was looked for when there is
+/// Returns the directory of these data: in $PLUMB_DATA when that is set, else in ../share/plumb beside the
+/// program, else in the build's source. Throws std::runtime_error that names where it looked when there is
 /// none.
 std::string data_directory(Data data);
 
-/// All directories that may hold data or modules of this program, whether they exist or not.
+/// Returns all directories that may hold data or modules of this program, whether or not they exist.
 std::vector<std::string> own_places();
 
-/// A module or a helper program: beside the program, else in ../lib/plumb, else along the program's run path.
-/// The name itself when it is in none of them.
+/// Returns the path of a module or a helper program: beside the program, else in ../lib/plumb, else
+/// (unchecked) in the directory of the modules on the run path. Returns the name itself when there is no such
+/// directory.
 std::string module_path(const std::string& name);
 
 }  // namespace plumb

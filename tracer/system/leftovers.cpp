@@ -36,7 +36,7 @@ struct Owner {
   Number start;  ///< in ticks since the machine's start
 };
 
-/// The number of the link pid:[4026531836]; 0 where there is no /proc.
+/// Returns the number in the link pid:[4026531836]; 0 where there is no /proc.
 Number own_space() {
   std::error_code none;
   const std::string link = fs::read_symlink("/proc/self/ns/pid", none).string();
@@ -44,8 +44,8 @@ Number own_space() {
   return digits == std::string::npos ? 0 : std::strtoull(link.c_str() + digits, nullptr, 10);
 }
 
-/// proc(5), /proc/pid/stat: field 22; the name before it may hold blanks and parentheses. 0 when there is no
-/// such process.
+/// Returns field 22 of /proc/pid/stat, see proc(5); the name before it may hold blanks and parentheses.
+/// Returns 0 when there is no such process.
 Number start_of(Number process) {
   std::ifstream file("/proc/" + std::to_string(process) + "/stat");
   const std::string text{std::istreambuf_iterator<char>(file), {}};
@@ -57,7 +57,7 @@ Number start_of(Number process) {
   return std::strtoull(field.c_str(), nullptr, 10);
 }
 
-/// Of a name that temporary_name() began.
+/// Returns the owner in a name that temporary_name() began.
 std::optional<Owner> owner_in(std::string_view name) {
   if (name.starts_with('.')) name.remove_prefix(1);
   if (!name.starts_with(prefix)) return std::nullopt;
@@ -73,7 +73,8 @@ std::optional<Owner> owner_in(std::string_view name) {
   return is_random ? std::optional(owner) : std::nullopt;
 }
 
-/// Root's confined runs belong to users of their own, see references/submissions/sandbox/sandbox.cpp.
+/// True for this user. Root's confined runs belong to users of their own, see
+/// references/submissions/sandbox/sandbox.cpp.
 bool is_of_this_user(uid_t user) {
   constexpr uid_t first_confined = 1'900'000'000;
   constexpr uid_t last_confined = 2'000'000'000;
@@ -81,13 +82,13 @@ bool is_of_this_user(uid_t user) {
 }
 
 bool is_running(const Owner& owner, const struct stat& info) {
-  // The owner claims a thing a moment after it is made; its number means nothing in another space.
+  // The owner claims a thing a moment after making it; its process number means nothing in another space.
   constexpr std::time_t moment_seconds = 60;
   if (owner.space != own_space()) return std::time(nullptr) - info.st_mtim.tv_sec < moment_seconds;
   return owner.start != 0 && start_of(owner.process) == owner.start;
 }
 
-/// Where locks cannot be had, the number of the process alone tells.
+/// True if somebody has locked it. Where there are no locks, only the number of the process tells.
 bool is_claimed(const std::string& path) {
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
   return file.number() >= 0 && ::flock(file.number(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
@@ -117,7 +118,7 @@ void remove_if_left(const fs::path& path) {
   fs::remove_all(path, error);
 }
 
-/// True when it is the first time.
+/// True the first time that it is asked about a directory.
 bool is_new(const std::string& directory) {
   static std::mutex mutex;
   static std::set<std::string> seen;

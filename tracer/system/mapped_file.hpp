@@ -1,4 +1,4 @@
-// A file as it lies in memory, read by the operating system where it is looked at.
+// The bytes of a file, mapped into memory.
 #pragma once
 
 #include <string>
@@ -8,12 +8,14 @@ namespace plumb {
 
 class MappedFile {
  public:
-  /// A pipe is read instead. Throws std::runtime_error naming the path and the cause, a directory included.
+  /// Maps the file, and reads a pipe instead. Calls expect_cut_files(). Throws std::runtime_error naming the
+  /// path and the cause, for a directory, too.
   explicit MappedFile(const std::string& path);
   ~MappedFile();
   MappedFile(const MappedFile&) = delete;
   MappedFile& operator=(const MappedFile&) = delete;
 
+  /// They are valid while this object lives.
   std::string_view bytes() const { return bytes_; }
 
  private:

@@ -1,11 +1,11 @@
-// Shared objects of ours beside the program, loaded when they are first needed and kept.
+// Loads our own shared objects when they are first needed, and keeps them.
 #pragma once
 
 #include <string>
 
 namespace plumb {
 
-/// Throws std::runtime_error naming what is missing.
+/// Returns the address of a symbol. Throws std::runtime_error naming what is missing.
 void* module_symbol(const std::string& module, const std::string& name);
 
 }  // namespace plumb

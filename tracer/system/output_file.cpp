@@ -33,7 +33,7 @@ bool is_special(const std::string& path) {
   return stat(path.c_str(), &info) == 0 && !S_ISREG(info.st_mode) && !S_ISDIR(info.st_mode);
 }
 
-/// A short name in the same directory, which is cleared of what killed runs left.
+/// Returns a short name in the same directory. Clears that directory of what killed runs left.
 std::string path_aside(const std::string& path) {
   std::random_device random;
   const std::size_t slash = path.find_last_of('/');

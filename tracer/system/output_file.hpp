@@ -1,4 +1,4 @@
-// A file that is written piece by piece and seen only when it is whole.
+// A file that is written piece by piece and seen only when it is complete.
 #pragma once
 
 #include <cstdint>
@@ -11,18 +11,18 @@
 
 namespace plumb {
 
-/// Written aside, in the same directory, until commit() renames it. `-`, standard output, a device and a
-/// pipe cannot be renamed to nor sought in: what they get is kept in memory until then. All functions throw
-/// std::runtime_error naming the path and the cause.
+/// Writes into a file aside, in the same directory, until commit() renames it. Standard output (`-`), a
+/// device and a pipe can neither be renamed to nor sought in, so memory keeps their bytes until commit(). All
+/// functions throw std::runtime_error naming the path and the cause.
 class OutputFile final : public ByteSink {
  public:
   explicit OutputFile(const std::string& path);
-  /// Without commit(), leaves the old file as it was.
+  /// Without commit(), removes the file aside and leaves the old one as it was.
   ~OutputFile() override;
 
   void write(std::string_view bytes) override;
   void seek(std::uint64_t position) override;
-  /// Replaces the file, after the data are on disk.
+  /// Replaces the file once the data are on disk, or writes what memory keeps.
   void commit();
 
  private:

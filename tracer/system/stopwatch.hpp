@@ -1,11 +1,11 @@
-// How long something takes.
+// Measures how long something takes.
 #pragma once
 
 #include <ctime>
 
 namespace plumb::engine {
 
-/// Seconds on the clock, and of all processors together.
+/// Seconds on the clock, and seconds of CPU of all threads together.
 struct Seconds {
   double wall = 0, cpu = 0;
 };

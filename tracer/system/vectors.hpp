@@ -1,16 +1,15 @@
-// Which of the instruction sets that Highway compiled for this processor has. Highway's own dispatch is in a
-// shared library that measures a clock for 4 ms at every start of the program; its headers alone cost
-// nothing.
+// Finds which of our instruction sets this processor has. Highway's own dispatch lies in a shared library
+// that measures a clock for 4 ms at every start of the program. Highway's headers alone cost nothing.
 #pragma once
 
 #include <string>
 
 namespace plumb {
 
-/// How wide the vectors are; `any` is what every processor of the kind has.
+/// The widths of vectors that code is compiled for; every processor of this architecture has `any`.
 enum class Vectors { any, avx2, avx512 };
 
-/// The widest vectors that this processor has.
+/// Returns the widest vectors that this processor has.
 inline Vectors widest_vectors() {
   static const Vectors found = [] {
     const bool has_avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
@@ -24,7 +23,7 @@ inline Vectors widest_vectors() {
   return found;
 }
 
-/// One function as it was compiled three times.
+/// Returns the one of three compilations of a function that fits this processor.
 template <class Function>
 Function* chosen(Function* any, Function* avx2, Function* avx512) {
   if (widest_vectors() == Vectors::avx512) return avx512;
