@@ -1,4 +1,4 @@
-// Numbers as people write them, and as we do.
+// Reads and writes numbers as decimal text.
 #pragma once
 
 #include <string>
@@ -6,14 +6,15 @@
 
 namespace plumb {
 
-/// Why a token is no finite double, with the likely fix; empty when it is one.
+/// A token that was read. `complaint` says why it is no finite double, with the likely fix. It is empty when
+/// the token is one.
 struct Number {
   double value;
   std::string complaint;
 };
 Number parse_number(std::string_view text);
 
-/// Shortest decimal text that reads back as the same double.
+/// Returns the shortest decimal text that reads back as the same double.
 std::string to_text(double value);
 
 }  // namespace plumb

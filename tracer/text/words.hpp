@@ -1,4 +1,4 @@
-// Words of messages: quoted as they are safe to print, and the one that was probably meant.
+// Prepares words for messages: quotes them safely and finds the word that was probably meant.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,8 @@ namespace plumb {
 /// The text for a message: quoted, at most 40 bytes, unprintable bytes as \xNN.
 std::string in_quotes(std::string_view text);
 
-/// The candidate nearest to `name` by edit distance, if one is near enough to be a slip.
+/// Returns the candidate nearest to `name` by edit distance, or nothing when none is near enough to be a
+/// slip.
 std::optional<std::string> nearest_name(std::string_view name,
                                         const std::vector<std::string_view>& candidates);
 
