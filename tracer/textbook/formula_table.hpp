@@ -1,5 +1,5 @@
-// The formulas that the textbook tracer uses, one entry each. Replacing an entry gives a tracer with
-// another method, or with a known mistake, and nothing else changed.
+// The formulas that the textbook tracer uses, one entry each. A replaced entry gives a tracer with another
+// method, or with a known mistake, and changes nothing else.
 #pragma once
 
 #include "tracer/formulas/box.hpp"
@@ -62,17 +62,17 @@ struct FormulaTable {
   decltype(&formulas::is_too_deep) is_too_deep = &formulas::is_too_deep;
 };
 
-/// Where the tracer takes its formulas from: the lecture's, known to the compiler ...
+/// Gives the tracer the lecture's formulas, which the compiler knows.
 template <class Real>
 struct LectureFormulas {
   const FormulaTable<Real>* operator->() const { return &table; }
   static constexpr FormulaTable<Real> table{};
 };
 
-/// ... or any table, each call through a pointer.
+/// Gives the tracer the formulas of any table; each call goes through a pointer.
 template <class Real>
 struct ReplaceableFormulas {
-  // Not explicit: a table is to be given wherever formulas are asked for.
+  // Not explicit, so that a table serves wherever formulas are asked for.
   ReplaceableFormulas(const FormulaTable<Real>& entries) : table(entries) {}
   const FormulaTable<Real>* operator->() const { return &table; }
   FormulaTable<Real> table;

@@ -8,9 +8,9 @@
 
 namespace plumb::textbook {
 
-/// A stack of the transmissive instances that were entered and not left yet; below all lies the void, eta 1.
-/// Entering bends by top.eta / new.eta; leaving the top by eta / below.eta; leaving one that is not on top
-/// does not bend. Whether a surface is entered or left depends on the stack alone.
+/// A stack of the transmissive instances that were entered and not yet left; below all lies the void with eta
+/// 1. Entering one bends by top.eta / new.eta. Leaving the top one bends by eta / below.eta; leaving another
+/// does not bend. The stack alone decides whether a surface is entered or left.
 template <class Real>
 class Interiors {
  public:

@@ -1,4 +1,4 @@
-// The loop over a picture's rows, whatever traces its pixels.
+// The loop over a picture's rows, for any tracer of its pixels.
 #pragma once
 
 #include <algorithm>
@@ -9,17 +9,19 @@
 
 namespace plumb::textbook {
 
-/// How many threads a job takes: as many as it asks for, or as the machine runs, and no more than rows.
+/// Returns the number of threads for a job: as many as it asks for, else as the machine runs; at most one per
+/// row.
 int threads_for(const RenderJob& job);
 
-/// The job's progress from that of one of its bands; empty when the job's is.
+/// Turns the progress of one band into that of the job, which must outlive it. Empty when the job's is.
 std::function<void(double)> progress_of_band(const RenderJob& job, int first_row, int rows);
 
-/// Runs `row(y)` for all rows on several threads; the first exception ends all and is thrown again.
+/// Calls `row(y)` for all rows, on several threads. After the first exception no new row starts; it is
+/// rethrown when all threads have ended.
 void for_each_row(int height, int threads, const std::function<void(double)>& progress,
                   const std::function<void(int)>& row);
 
-/// Hands on the picture that a tracer's raycast(x, y) gives, in float32, band by band.
+/// Hands on, band by band, the float32 picture of what the tracer's raycast(x, y) returns.
 template <class AnyTracer>
 void render_bands(const AnyTracer& tracer, const RenderJob& job, const BandSink& sink) {
   const int rows = std::min(sink.rows, job.height);
@@ -36,7 +38,7 @@ void render_bands(const AnyTracer& tracer, const RenderJob& job, const BandSink&
   }
 }
 
-/// The same, whole.
+/// Returns the same picture at once.
 template <class AnyTracer>
 Image render_rows(const AnyTracer& tracer, const RenderJob& job) {
   return in_one_band(job.height, [&](const BandSink& sink) { render_bands(tracer, job, sink); });

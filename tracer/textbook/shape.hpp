@@ -1,4 +1,4 @@
-// Slides "Objekttransformation" and "Composite, DAG": shapes that are met in their own space.
+// Slides "Objekttransformation" and "Composite, DAG": shapes that a ray meets in their own space.
 #pragma once
 
 #include <algorithm>
@@ -12,19 +12,19 @@
 
 namespace plumb::textbook {
 
-/// Number of a sphere or box as it stands in the world: its place in a depth-first walk over all paths
-/// through the composites, so a shared child has one number per path.
+/// The number of a sphere or box as it stands in the world: its place in a depth-first walk over all paths
+/// through the composites. A shared child has one number per path.
 using InstanceId = std::uint64_t;
 inline constexpr InstanceId no_instance = std::numeric_limits<InstanceId>::max();
 
-/// The surface a ray starts on, or hits: an instance and, for a box, its face.
+/// The surface that a ray starts on, or hits: an instance and, for a box, its face.
 struct SurfaceId {
   InstanceId instance = no_instance;
   Face face = no_face;
   bool operator==(const SurfaceId&) const = default;
 };
 
-/// Nearest hit so far; t counts in lengths of the world ray's direction, in every space.
+/// The nearest hit so far. t counts in lengths of the world ray's direction, in every space.
 template <class Real>
 struct Hit {
   Real t = std::numeric_limits<Real>::infinity();
@@ -44,13 +44,13 @@ struct Material {
 /// What shading needs to know of a hit, found once the nearest hit is known.
 template <class Real>
 struct Surface {
-  Vec3<Real> point;   ///< of the hit, in the space of the caller
-  Vec3<Real> normal;  ///< outward, in the space of the caller, of any length
+  Vec3<Real> point;   ///< of the hit, in the caller's space
+  Vec3<Real> normal;  ///< outward, in the caller's space, of any length
   const Material<Real>* material;
   ShapeId shape;
 };
 
-/// The ray, that knows what is nearest so far.
+/// Returns the ray with the nearest hit so far in its t_known.
 template <class Real>
 Ray<Real> known_up_to(const Hit<Real>& nearest, Ray<Real> ray) {
   ray.t_known = std::min(ray.t_known, nearest.t);
@@ -61,14 +61,14 @@ Ray<Real> known_up_to(const Hit<Real>& nearest, Ray<Real> ray) {
 template <class Real, class Formulas>
 struct Query {
   const Formulas& formulas;
-  SurfaceId start;                ///< where the ray starts: that surface is not met again at t = 0
-  bool is_shadow_ray = false;     ///< any hit that blocks the light is enough, it need not be the nearest
-  Real light_distance = 0;        ///< of a shadow ray
-  InstanceId lit = no_instance;   ///< that a shadow ray comes from
-  InstanceId last = no_instance;  ///< of the world
+  SurfaceId start;                ///< the surface where the ray starts: it is not met again at t = 0
+  bool is_shadow_ray = false;     ///< true: any hit that blocks the light will do, not only the nearest
+  Real light_distance = 0;        ///< from the start of a shadow ray
+  InstanceId lit = no_instance;   ///< the instance that a shadow ray comes from
+  InstanceId last = no_instance;  ///< the last instance of the world
 
-  /// Whether a hit counts and comes before the nearest so far. Two that rounding cannot tell apart are one
-  /// place, and the first in the order of the file is taken: so coincident surfaces are crossed once.
+  /// True if a hit counts and comes before the nearest so far. Two hits that rounding cannot tell apart are
+  /// one place. The first in the order of the file is taken there, so coincident surfaces are crossed once.
   bool is_nearer(const Ray<Real>& ray, InstanceId self, Real t, Real nearest) const {
     return formulas->is_ahead(t, ray.t_min) && formulas->is_nearer(t, nearest, formulas::one_place(ray, t)) &&
            (!is_shadow_ray ||
@@ -76,8 +76,8 @@ struct Query {
   }
 };
 
-/// A node of the hierarchy. It is placed in its parent's space by M and met in its own space, by the ray
-/// times M^-1; the direction is not normalised, so t is valid in both.
+/// A node of the hierarchy. M places it in its parent's space. The ray times M^-1 meets it in its own space.
+/// The ray's direction is not normalised, so t is valid in both.
 template <class Real, class Formulas>
 class Shape {
  public:
@@ -90,8 +90,8 @@ class Shape {
   virtual InstanceId instances() const = 0;
   virtual bool is_composite() const { return false; }
 
-  /// Replaces `nearest` where a hit with 0 < t < nearest.t lies below this node. `ray` is in the parent's
-  /// space; `first` is the number of the first instance below this node on the path taken.
+  /// Replaces `nearest` if a hit with 0 < t < nearest.t lies below this node. `ray` is in the parent's space;
+  /// `first` is the number of the first instance below this node on the path taken.
   void intersect(const Query<Real, Formulas>& query, const Ray<Real>& ray, InstanceId first,
                  Hit<Real>& nearest) const {
     if (is_identity_) return intersect_here(query, ray, first, nearest);
@@ -102,7 +102,7 @@ class Shape {
     intersect_here(query, in_object, first, nearest);
   }
 
-  /// The surface of a hit below this node in the parent's space, its normal by (M^-1)^T.
+  /// Returns the surface of a hit below this node, in the parent's space. (M^-1)^T transforms its normal.
   Surface<Real> surface(const Query<Real, Formulas>& query, const Ray<Real>& ray, InstanceId first,
                         const Hit<Real>& hit) const {
     if (is_identity_) return surface_here(query, ray, first, hit);
@@ -220,7 +220,7 @@ class Composite final : public Shape<Real, Formulas> {
   }
 
   std::vector<std::shared_ptr<const Shape<Real, Formulas>>> children_;
-  std::vector<InstanceId> offsets_;  // of a child's first instance from the composite's own
+  std::vector<InstanceId> offsets_;  // distance of each child's first instance from the composite's own
   InstanceId instances_ = 0;
 };
 

@@ -11,6 +11,7 @@
 
 namespace plumb::textbook {
 
+/// Traces the pixels of one camera's picture. The world must outlive it.
 template <class Real, class Formulas = ReplaceableFormulas<Real>, class Observer = NoObserver<Real>>
 class Tracer {
  public:
@@ -30,7 +31,7 @@ class Tracer {
     distance_ = f_->image_plane_distance(static_cast<Real>(camera.fov_x_degrees));
   }
 
-  /// Linear colour of the pixel centre; row 0 is the top row.
+  /// Returns the linear colour of the ray through the pixel's centre. Row 0 is the top row.
   Rgb<Real> raycast(int x, int y) const {
     const Vec2<Real> on_plane = f_->image_plane_point(x, y, width_, height_);
     Ray<Real> ray = f_->world_ray(world_from_camera_, f_->camera_ray(on_plane, distance_));
@@ -114,13 +115,13 @@ class Tracer {
     return f_->combined_colour(colour, material.mirror, reflected, material.transmit, refracted);
   }
 
-  /// A ray is no surer of its origin than the one that found it.
+  /// Returns the ray that leaves `point`. It is no surer of its origin than the ray that found the point.
   Ray<Real> leave(const Ray<Real>& found_by, const Vec3<Real>& point, const Vec3<Real>& n,
                   const Vec3<Real>& direction) const {
     return {f_->secondary_origin(point, n, direction), direction, found_by.t_min};
   }
 
-  /// Diffuse and specular light of one source; black when it is behind the surface or hidden.
+  /// Returns the diffuse and specular light of one source; black when it is behind the surface or hidden.
   Rgb<Real> lit_by(std::size_t index, const Ray<Real>& found_by, const Vec3<Real>& point, const Vec3<Real>& n,
                    const Hit<Real>& hit, const Material<Real>& material) const {
     const Light<Real>& light = world_.lights()[index];
@@ -144,7 +145,8 @@ class Tracer {
                                    seen.specular_factor);
   }
 
-  /// Slide "Schatten": 0 where an object lies strictly between, else 1; glass as the options say.
+  /// Slide "Schatten": 0 where an object lies strictly between point and light, else 1. The options decide on
+  /// glass.
   Rgb<Real> visibility(const formulas::ShadowRay<Real>& shadow, SurfaceId lit, Hit<Real>& blocker) const {
     if (!options_.shadows) return Rgb<Real>(1);
     const SurfaceId start = shadow.knows_its_surface ? lit : SurfaceId{};

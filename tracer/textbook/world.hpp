@@ -1,4 +1,4 @@
-// A scene made ready to be traced by the textbook tracer, in one real type.
+// A scene prepared for the textbook tracer, in one real type.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@ struct Light {
   Rgb<Real> intensity;  ///< Ip
 };
 
-/// Owns the hierarchy; every shape of the scene is built once, however many parents it has.
+/// Owns the hierarchy. Every shape of the scene is built once, however many parents it has.
 template <class Real, class Formulas = ReplaceableFormulas<Real>>
 class World {
  public:
@@ -44,12 +44,12 @@ class World {
   const Rgb<Real>& background() const { return background_; }
   InstanceId instances() const { return root_->instances(); }
 
-  /// The glass that a camera is inside of.
+  /// Returns the glass that a camera is inside of.
   DielectricsAroundEye<Real> dielectrics_around(const CameraPose<Real>& pose) const {
     return {scene_, pose.eye, pose.direction};
   }
 
-  /// What is as near to the origin of the ray cannot be told from it, nor what could not at its t_min.
+  /// Returns the ray with a t_min up to which nothing can be told from its origin; a larger one is kept.
   static Ray<Real> with_t_min(const Ray<Real>& ray) {
     const Vec3<Real> size = glm::abs(ray.origin);
     const Real here = formulas::resolution<Real>() * std::max({size.x, size.y, size.z});
@@ -58,15 +58,16 @@ class World {
     return known;
   }
 
-  /// The nearest hit with t > 0 of a ray of unit direction that starts on `start` (or in free space).
+  /// Returns the nearest hit with t > 0, if any, of a ray of unit direction that starts on `start` (or in
+  /// free space).
   Hit<Real> nearest_hit(const Ray<Real>& ray, SurfaceId start) const {
     Hit<Real> nearest;
     root_->intersect({formulas_, start}, with_t_min(ray), 0, nearest);
     return nearest;
   }
 
-  /// Any object that blocks the light which lies in the unit direction of the ray, from the instance `lit`;
-  /// of no instance if none does.
+  /// Returns any object that blocks a light at `light_distance` along the ray of unit direction, which comes
+  /// from the instance `lit`. The hit is of no instance when none does.
   Hit<Real> blocker(const Ray<Real>& ray, SurfaceId start, Real light_distance, InstanceId lit) const {
     Hit<Real> found;
     Ray<Real> to_light = with_t_min(ray);
@@ -75,7 +76,8 @@ class World {
     return found;
   }
 
-  /// Up to where something on the ray hides a light at that distance: what is at one place with it does not.
+  /// Returns the t up to which something on the ray hides a light. What is at one place with the light does
+  /// not.
   Real before_light(const Ray<Real>& ray, Real light_distance) const {
     return light_distance - formulas::one_place(with_t_min(ray), light_distance);
   }
@@ -112,7 +114,7 @@ class World {
 
   const Scene& scene_;
   Formulas formulas_;
-  std::deque<Material<Real>> materials_;  // a deque: shapes refer to its elements
+  std::deque<Material<Real>> materials_;  // a deque, because shapes refer to its elements
   std::vector<Light<Real>> lights_;
   Rgb<Real> ambient_;
   Rgb<Real> background_;
