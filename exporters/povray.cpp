@@ -16,7 +16,7 @@
 namespace plumb::exporters {
 namespace {
 
-/// Half extents of a sphere or box along the world axes, by the absolute values of the matrix.
+/// Bounds along the axes.
 struct Bounds {
   Vec3d min{std::numeric_limits<double>::infinity()};
   Vec3d max{-std::numeric_limits<double>::infinity()};
@@ -48,7 +48,7 @@ Bounds world_bounds(const Bounds& object, const Mat4<double>& matrix) {
   return {middle - extent, middle + extent};
 }
 
-/// A name for a comment: anything but letters, digits, _ and - becomes ?.
+/// Returns a name as it may stand in a comment: anything but letters, digits, _ and - becomes ?.
 std::string harmless(const std::string& name) {
   std::string shown = name.substr(0, 40);
   for (char& c : shown) {
@@ -144,7 +144,7 @@ class Exporter {
       text_ += "#declare Caster = texture { pigment { rgb 0 } finish { ambient 0 diffuse 0 } }\n";
   }
 
-  /// Inside a sphere or box: texture, interior and flags.
+  /// Returns what stands inside a sphere or box: texture, interior and flags.
   std::string appearance(const Shape& shape, Role role) const {
     const MaterialId id = *material_of(shape);
     const Material& material = scene_.materials[id];
@@ -158,8 +158,8 @@ class Exporter {
     return text;
   }
 
-  /// Of a shape in its own space: a power of two, so that it rounds nothing; 1 where nothing is pressed to
-  /// less than a 64th.
+  /// Returns the factor that makes a shape smaller in its own space: a power of two, so that it rounds
+  /// nothing. It is 1 where the matrix presses nothing to less than a 64th.
   double shrinking(const Mat4<double>& inverse) const {
     if (!space_.shrinks_pressed) return 1;
     double most = 0;
@@ -167,7 +167,8 @@ class Exporter {
     return most > 64 && std::isfinite(most) ? std::ldexp(1.0, -std::ilogb(most)) : 1;
   }
 
-  /// M in export units: the linear part is the same, lengths are scaled; only at the top the centre moves.
+  /// Writes M in export units: the linear part is the same, lengths are scaled. The centre moves at the top
+  /// only.
   std::string matrix(Mat4<double> m, bool is_root, double shrunk = 1) const {
     for (int axis = 0; axis < 3; ++axis) m[axis] /= shrunk;
     const Vec3d moved = space_.scale * (Vec3d(m[3]) - (is_root ? space_.center : Vec3d(0)));
@@ -181,7 +182,7 @@ class Exporter {
     return text + to_text(moved.x) + "," + to_text(moved.y) + "," + to_text(moved.z) + ">";
   }
 
-  /// A composite is declared of its own (see declare).
+  /// Writes a sphere or box. A composite is declared apart, see declare().
   template <class Geometry>
   std::string primitive(const Geometry& geometry, const std::string& rest, double shrunk) const {
     const double s = space_.scale * shrunk;
@@ -196,7 +197,7 @@ class Exporter {
                       geometry);
   }
 
-  /// A sphere or box, and beside it its black shadow caster where glass must cast a full shadow.
+  /// Writes a sphere or box, and beside it its black shadow caster where glass must cast a full shadow.
   std::string leaf(const Shape& shape, const Transform<double>& transform, bool is_root) const {
     const double shrunk = shrinking(transform.inverse);
     const std::string placed = matrix(transform.matrix, is_root, shrunk);
@@ -207,7 +208,7 @@ class Exporter {
     return text;
   }
 
-  /// Every composite is declared once, its children before it; spheres and boxes stand where they are used.
+  /// Declares every composite once, its children before it. Spheres and boxes stand where they are used.
   void hierarchy() {
     std::vector<bool> is_declared(scene_.shapes.size(), false);
     for (const ShapeId root : roots_) declare(root, is_declared);
@@ -234,8 +235,8 @@ class Exporter {
     return "object { Composite_" + std::to_string(id) + matrix(transform.matrix, is_root) + " }";
   }
 
-  /// Without bounding boxes POV-Ray takes the first of equally near hits, but tries all for every ray. In a
-  /// space of the caller's it is left to itself.
+  /// Without bounding boxes POV-Ray takes the first of equally near hits, but tries all for every ray, so
+  /// this is for few instances. In a space of the caller's, POV-Ray is left to itself.
   bool write_ties_alike(const Vec3d& eye) {
     constexpr std::uint64_t most_instances = 256;
     if (!space_.decides_ties) return false;
@@ -255,8 +256,8 @@ class Exporter {
              harmless(shape.name) + "\n";
   }
 
-  /// With the eye inside glass POV-Ray looks for the interiors among the top objects only, in their order; of
-  /// what coincides it takes the first.
+  /// Writes shape by shape. With the eye inside glass, POV-Ray looks for the interiors among the top objects
+  /// only, in their order. Of what coincides it takes the first.
   void flat(const std::vector<EnclosingDielectric>& around) {
     if (placed_.empty()) placed_ = placed_shapes(scene_);
     for (const PlacedShape& p : placed_) {

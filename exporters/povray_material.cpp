@@ -7,7 +7,7 @@
 namespace plumb::exporters {
 namespace {
 
-/// Stands for a coefficient of 0 that is divided by: nothing of it is seen beside a float32 of any picture.
+/// Stands for a coefficient of 0 that is divided by. It is so small that it changes no float32 of a picture.
 constexpr double least_tint = 0x1p-60;
 
 std::string sdl_with(const Rgbd& colour, double fourth) {
@@ -26,7 +26,8 @@ struct Layer {
 /// the product of these so far and every colour is divided by it.
 class Layers {
  public:
-  /// A layer that shines by itself (`finish` says how) with `colour`. Half opaque if another one follows.
+  /// Adds a layer that shines by itself (`finish` says how) with `colour`. It is half opaque if another
+  /// follows.
   void add_shining(const Rgbd& colour, const std::string& finish, bool is_last) {
     if (is_last) {
       layers_.push_back({"rgb " + sdl(colour / beneath_), finish});

@@ -1,4 +1,4 @@
-// Layered textures: POV-Ray's phong is a scalar, so RGB coefficients need layers.
+// Writes layered textures: POV-Ray's phong is a scalar, so RGB coefficients need layers.
 #pragma once
 
 #include <string>
@@ -7,10 +7,11 @@
 
 namespace plumb::exporters {
 
-/// `x y z` as an SDL vector <x,y,z>.
+/// Returns an SDL vector <x,y,z>.
 std::string sdl(const Vec3d& v);
 
-/// The texture blocks of a material under the ambient light Ia, bottom layer first, only those that it needs.
+/// Returns the texture blocks of a material under the ambient light Ia: the bottom layer first, and only the
+/// layers that it needs.
 std::string povray_texture(const Material& material, const Rgbd& ambient);
 
 }  // namespace plumb::exporters

@@ -21,10 +21,10 @@ using Mat3d = glm::mat<3, 3, double, glm::highp>;
 /// A box by its edges: its points are sums of c[k] * axes[k] with low[k] <= c[k] <= high[k], about the centre
 /// of the export.
 struct EdgedBox {
-  std::size_t place;  ///< among the shapes
+  std::size_t place;  ///< index among the shapes
   Axes axes;          ///< orthonormal
   Vec3d low, high;
-  double size;  ///< of the largest number that they are computed from
+  double size;  ///< largest of the numbers that they are computed from
   bool transmits;
   bool has_eye_inside = false;
   bool is_tied = false;
@@ -33,7 +33,7 @@ struct EdgedBox {
   double bound(int axis, bool is_high) const { return is_high ? high[axis] : low[axis]; }
 };
 
-/// An edge along an axis of the world is made exactly that.
+/// Makes an edge along an axis of the world exactly that.
 void straighten(Axes& axes) {
   for (int k = 0; k < 3; ++k) {
     for (int world = 0; world < 3; ++world) {
@@ -46,7 +46,7 @@ void straighten(Axes& axes) {
   }
 }
 
-/// Turns round edges that lead backward on the whole.
+/// Turns round the edges of which the components have a negative sum.
 void turn_forward(EdgedBox& box) {
   for (int k = 0; k < 3; ++k) {
     Vec3d& axis = box.axes[static_cast<std::size_t>(k)];
@@ -65,7 +65,7 @@ bool are_orthonormal(const Axes& axes) {
          std::abs(glm::dot(axes[1], axes[2])) < 1e-13 && std::abs(glm::dot(axes[2], axes[0])) < 1e-13;
 }
 
-/// Gives the box the axes of a frame where they are its own, in whatever order; whether they are.
+/// Gives the box the axes of a frame if these are its own, in any order. Returns whether they are.
 bool adopt(const Axes& frame, EdgedBox& box) {
   std::array<int, 3> from{};
   for (std::size_t k = 0; k < 3; ++k) {
@@ -88,7 +88,7 @@ bool adopt(const Axes& frame, EdgedBox& box) {
   return true;
 }
 
-/// Boxes of one orientation share their axes to the last bit.
+/// Gives boxes of one orientation the same axes, to the last bit.
 class Frames {
  public:
   void settle(EdgedBox& box) {
@@ -117,7 +117,7 @@ Interval along(const Vec3d& direction, const EdgedBox& box) {
   return {middle - half, middle + half};
 }
 
-/// Whether two faces in one plane have an area in common: no edge of either separates them.
+/// True if two faces in one plane have an area in common: no edge of either separates them.
 bool overlap(const EdgedBox& a, int axis_a, const EdgedBox& b, int axis_b) {
   const double more = rounding * std::max(a.size, b.size);
   const auto separates = [&](const Vec3d& direction) {
@@ -131,19 +131,19 @@ bool overlap(const EdgedBox& a, int axis_a, const EdgedBox& b, int axis_b) {
   return true;
 }
 
-/// Whether rays come to the face from this side, as far as its own box hides it.
+/// True if rays can come to the face from this side, as far as its own box lets them.
 bool is_open(const EdgedBox& box, bool is_inside) {
   return box.transmits || (box.has_eye_inside ? is_inside : !is_inside);
 }
 
-/// Whether a ray can come to both faces from one side; a face at `high` has its box below it.
+/// True if a ray can come to both faces from one side. A face at `high` has its box below it.
 bool can_be_met(const EdgedBox& a, bool a_is_high, const EdgedBox& b, bool b_is_high) {
   const bool from_above = is_open(a, !a_is_high) && is_open(b, !b_is_high);
   const bool from_below = is_open(a, a_is_high) && is_open(b, b_is_high);
   return from_above || from_below;
 }
 
-/// Writes the faces of the later box that coincide with one of the earlier in its numbers.
+/// Gives the faces of the later box that coincide with one of the earlier the numbers of that one.
 void tie(EdgedBox& earlier, int axis, EdgedBox& later, int axis_of_later) {
   const double near = rounding * std::max(earlier.size, later.size);
   for (const bool is_high : {false, true}) {
@@ -161,8 +161,8 @@ void tie(EdgedBox& earlier, int axis, EdgedBox& later, int axis_of_later) {
 
 bool is_of_world(const Vec3d& axis) { return axis.x == 1 || axis.y == 1 || axis.z == 1; }
 
-/// Along a common edge both have the same distance to the last bit where all edges are common, or it is an
-/// axis of the world: else the matrices of the two round it otherwise.
+/// Along a common edge both boxes have the same distance, to the last bit, where all edges are common or the
+/// edge is an axis of the world. Otherwise their matrices round it differently.
 void tie(EdgedBox& earlier, EdgedBox& later) {
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) {
@@ -195,8 +195,8 @@ class Ties {
   }
 
  private:
-  /// The ellipsoid that a sphere is in the world: its centre, and R with |R^-1 (p - centre)| = 1 on it as
-  /// R R^T, which no turn of the sphere changes.
+  /// The ellipsoid that a sphere is in the world. R satisfies |R^-1 (p - centre)| = 1 on it; it is kept as R
+  /// R^T, which no rotation of the sphere changes.
   struct Ellipsoid {
     Vec3d center;
     Mat3d squared;
