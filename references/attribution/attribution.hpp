@@ -1,4 +1,4 @@
-// The pixel budget: every pixel over the tolerance gets exactly one cause, proven by tracing it again.
+// The pixel budget: every pixel over the tolerance gets exactly one cause, which tracing it again has proven.
 #pragma once
 
 #include <cstddef>
@@ -21,8 +21,8 @@ struct AttributedPixel {
 
 struct Budget {
   std::vector<AttributedPixel> pixels;  ///< all that are over, row by row
-  std::vector<std::string> shapes;      ///< whose move alone changes an edge or a coincidence among them
-  std::size_t unexamined = 0;           ///< of the unexplained, those that were not tried to the end
+  std::vector<std::string> shapes;      ///< names of those whose move alone changes an edge or a coincidence
+  std::size_t unexamined = 0;           ///< number of unexplained ones that were not tried to the end
 
   std::size_t count(Cause cause) const;
   /// Where the reference shows another surface than ours, or another shadow, because two are nearer to each
@@ -45,16 +45,18 @@ struct AttributionJob {
   double work = 2.5e8;  ///< units of Work that are spent at most, about 5 s; a fifth more to name the shapes
 };
 
-/// An edge, a coincidence or the reference's tolerance is proven when moving surfaces by a distance that the
-/// reference does not resolve (see Perturbation) makes the traced pixel jump, by more than the tolerance and
-/// 1e3 times the move (in shares of the extent), when one of the outcomes is the reference's value and
-/// another one the test's, each within the tolerance, and when the ray trees of the two have another hit,
-/// light or ray: the first difference names the cause. Depth is proven when the test's value is traced, one
-/// ray more or less gives the reference's, which is another one, and the ray trees part at the limit; against
-/// a baseline it is no excuse. Rounding is proven by making it, clamping by tracing the test's value, too.
+/// Finds the cause of every pixel over the tolerance.
+/// An edge, a coincidence or the reference's tolerance is proven when three things hold. Moving surfaces by a
+/// distance that the reference does not resolve (see Perturbation) makes the traced pixel jump, by more than
+/// the tolerance and 1e3 times the move (in shares of the extent). One of the outcomes is the reference's
+/// value and another one the test's, each within the tolerance. The ray trees of these two have another hit,
+/// light or ray; their first difference names the cause.
+/// Depth is proven when the test's value is traced, one ray more or less gives the reference's, which is
+/// another one, and the ray trees part at the limit. Against a baseline it is no excuse. Rounding is proven
+/// by making it, clamping by tracing the test's value, too.
 /// Pixels with more rays than are traced (see TreeTracer) and non-finite ones are never explained. Of more
-/// than 2,000 pixels 256 are tried first: when one of them has no cause, the verdict is settled, and the
-/// others are unexamined; so are those that are left when the work (see Work) is done.
+/// than 2,000 pixels 256 are tried first. When one of them has no cause, the verdict is settled, and the
+/// others are unexamined. So are those that are left when the work (see Work) is done.
 Budget attribute(const AttributionJob& job);
 
 /// The bound that a cause breaks, in words; empty when all hold. An edge meets pixel centres by chance at

@@ -1,4 +1,4 @@
-// Where two ray trees of one pixel part, and what that says.
+// Finds where two ray trees of one pixel part, and what that says.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,5 @@
-// Scenes and tracers that no renderer can tell from the given ones: moved by less than a reference resolves.
+// Scenes and tracers that no renderer can tell from the given ones: they differ by less than a reference
+// resolves.
 #pragma once
 
 #include <cstddef>
@@ -26,7 +27,7 @@ class Perturbation {
   Perturbation(const Scene& scene, const Camera& camera, const Resolution& resolution);
 
   double extent() const { return extent_; }
-  /// How far the pattern moves, in steps.
+  /// Returns how far the pattern moves, in steps.
   static double factor(int pattern);
   Scene moved(int pattern) const;
   Scene with_one_moved(ShapeId shape, int pattern) const;

@@ -10,7 +10,7 @@
 
 namespace plumb::references {
 
-/// As pictures hold it.
+/// A colour as pictures hold it.
 using Colour = std::array<float, 3>;
 
 /// A scene and what traces single pixels of it, with or without a record of the rays.

@@ -18,7 +18,7 @@ namespace plumb::references {
 struct Meeting {
   textbook::SurfaceId surface;
   ShapeId shape;
-  double t;  ///< world lengths, for the direction is normalised
+  double t;  ///< in world lengths, because the direction is normalised
   Vec3d point;
   Vec3d normal;                                     ///< of unit length, facing the viewer
   std::vector<textbook::LightSeen<double>> lights;  ///< one for each light of the scene
@@ -29,10 +29,10 @@ struct RayNode {
   textbook::RayKind kind = textbook::RayKind::camera;
   Ray<double> ray;
   int depth = 0;
-  bool is_at_depth_limit = false;  ///< it is black and was not traced
-  bool is_cut = false;             ///< rays that follow were not traced: the tree would be too large
+  bool is_at_depth_limit = false;  ///< true: it is black and was not traced
+  bool is_cut = false;             ///< true: rays that follow were not traced, the tree would be too large
   std::optional<Meeting> meeting;
-  Rgbd colour{0};  ///< what it brings back; of rays that were not traced, nothing
+  Rgbd colour{0};  ///< what it brings back; 0 for rays that were not traced
   std::vector<RayNode> children;
 };
 
@@ -48,7 +48,7 @@ class Recorder {
   void is_lit_by(std::size_t light, const textbook::LightSeen<double>& seen) const;
   void ray_ends(const Rgbd& colour) const;
 
-  /// The tree of the last pixel. Takes it out.
+  /// Takes out the tree of the last pixel and returns it.
   RayNode take() const;
 
  private:
@@ -63,7 +63,7 @@ class Recorder {
   std::shared_ptr<State> state_;
 };
 
-/// Whether rays of the tree were not traced.
+/// True if rays of the tree were not traced.
 bool is_cut(const RayNode& tree);
 
 /// Which surfaces are met and which lights are seen, in one number: trees that have the same differ in
@@ -80,7 +80,7 @@ class TreeTracer {
   TreeTracer(const TreeTracer&) = delete;
   TreeTracer& operator=(const TreeTracer&) = delete;
 
-  /// Row 0 is the top row.
+  /// Returns the tree of a pixel. Row 0 is the top row.
   RayNode tree_of(int x, int y) const;
 
  private:

@@ -1,4 +1,4 @@
-// The shading term by term: the same scene with all but one term taken out, on both sides.
+// The shading term by term: on both sides the same scene, with all but one term taken out.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace plumb::references {
 
-/// Each stands on those before it: a difference lives in the first one that differs.
+/// Each stands on those before it, so a difference lives in the first one that differs.
 enum class Term {
   ambient,     ///< Ia ka alone
   diffuse,     ///< Ip kd (n.l) alone, without shadows
@@ -21,7 +21,7 @@ enum class Term {
 inline constexpr std::array<Term, 6> all_terms{Term::ambient, Term::diffuse, Term::specular,
                                                Term::shadow,  Term::mirror,  Term::refraction};
 
-/// As it stands in JSON.
+/// Returns the name in JSON.
 const char* to_string(Term term);
 
 struct TermScene {
@@ -29,10 +29,10 @@ struct TermScene {
   RenderOptions options;
 };
 
-/// What is to be rendered, on both sides, to see only this term.
+/// Returns what both sides have to render to show only this term.
 TermScene only(Term term, const Scene& scene, const RenderOptions& options);
 
-/// Whether the scene has the term at all: a light, a mirror, glass.
+/// True if the scene has the term at all: a light, a mirror, glass.
 bool has(Term term, const Scene& scene);
 
 }  // namespace plumb::references
