@@ -133,7 +133,8 @@ class Parser {
     }
   }
 
-  /// "did you mean --size?", for the first argument that was not expected; empty when nothing is near.
+  /// Returns "did you mean --size?", for the first argument that was not expected; empty when nothing is
+  /// near.
   std::string likely_slip() const {
     const std::vector<std::string> words = app_.remaining(true);
     const auto parsed = app_.get_subcommands();

@@ -25,36 +25,36 @@ using Reader = std::function<void(const std::string& text)>;
 struct Choice {
   std::vector<std::string> words;
   std::function<void(std::size_t)> take;
-  std::string usual{};  ///< the word of the default; empty when no word stands for it
+  std::string usual{};  ///< the word of the default; empty when none stands for it
 };
 
-/// What an option sets. A bool makes a flag, a vector an option that takes several values.
+/// What an option sets. A bool makes a flag; a vector makes an option that takes several values.
 using Place = std::variant<bool*, int*, std::size_t*, double*, std::optional<double>*, std::string*,
                            std::vector<std::string>*, Reader, Choice>;
 
-/// From the first to the second, both included. Help shows whole numbers as such.
+/// The values from the first to the second, both included. Help shows an int without a decimal point.
 using Range = std::variant<std::pair<int, int>, std::pair<double, double>>;
 inline Range within(int from, int to) { return std::pair(from, to); }
 inline Range within(double from, double to) { return std::pair(from, to); }
 
-/// What an option may be, beside what its variable says.
+/// Limits an option further than the type of its variable does.
 struct Rules {
-  std::string value{};  ///< as help shows it; empty: by the type
+  std::string value{};  ///< as help shows it; when empty, help names the type
   bool is_required = false;
-  bool shows_default = false;  ///< what the variable holds before
-  std::string default_text{};  ///< as help shows it, of what is no variable
+  bool shows_default = false;  ///< help shows what the variable holds before
+  std::string default_text{};  ///< as help shows it, for a place that is no variable
   std::optional<Range> range{};
   /// Returns what was found and expected instead of a text; nothing when the text is right.
   std::function<std::string(const std::string& text)> complaint{};
-  std::vector<std::string> excludes{}, needs{};  ///< other options, which excludes or is needed by this one
-  bool is_repeatable = false;                    ///< each value wants the option's name again
+  std::vector<std::string> excludes{}, needs{};  ///< names of options that it must not, or must, go with
+  bool is_repeatable = false;                    ///< the option's name stands before each value
   bool may_be_alone = false;                     ///< takes any number of values, even none
-  char separator = 0;                            ///< of several values in one word; 0: there is none
+  char separator = 0;                            ///< stands between several values in one word; 0: none
 };
 
 /// An option, an argument or a flag.
 struct Option {
-  std::string names;  ///< e.g. "-o,--output"; what has no dashes stands by its place
+  std::string names;  ///< e.g. "-o,--output"; without dashes it is an argument, known by its place
   Place place;
   std::string purpose;
   Rules rules{};
@@ -62,9 +62,9 @@ struct Option {
 
 using Table = std::vector<Option>;
 
-/// The options of all, in this order.
+/// Returns the options of all tables, in this order.
 Table joined(std::initializer_list<Table> tables);
-/// Each of them without the other.
+/// Returns the table, in which no option may be given together with `other`.
 Table excluding(const std::string& other, Table table);
 
 template <class Value>
@@ -73,7 +73,7 @@ struct Word {
   Value value;
 };
 
-/// Sets the variable to what stands beside the word; `words` is not copied.
+/// Returns a choice that sets the variable to the value beside the word. Both arguments must outlive it.
 template <class Variable, class Value, std::size_t count>
 Choice one_of(Variable& variable, const Word<Value> (&words)[count]) {
   Choice choice{{}, [&variable, &words](std::size_t i) { variable = words[i].value; }};
@@ -84,7 +84,7 @@ Choice one_of(Variable& variable, const Word<Value> (&words)[count]) {
   return choice;
 }
 
-/// The word that stands for the value.
+/// Returns the word that stands for the value; empty when none does.
 template <class Value, std::size_t count>
 std::string word_for(Value value, const Word<Value> (&words)[count]) {
   for (const Word<Value>& each : words)
@@ -96,12 +96,12 @@ struct Request;
 
 struct Command {
   std::string name, purpose;
-  std::string footer;  ///< of its help: an example, and what its exit codes mean
+  std::string footer;  ///< ends its help: an example, and what its exit codes mean
   Table options;
   std::function<int(const Request&)> run;  ///< returns the exit code: 0 agrees, 1 differs, 2 trouble
-  bool is_hidden = false;                  ///< from help
-  bool wants_an_option = false;            ///< exactly one
-  bool reads_itself = false;               ///< calls Request::read(), where it can tell of trouble
+  bool is_hidden = false;                  ///< true if help does not list it
+  bool wants_an_option = false;            ///< true if exactly one must be given
+  bool reads_itself = false;  ///< true if it calls Request::read() itself, where it can report trouble
 };
 
 struct Program {
@@ -112,8 +112,8 @@ struct Program {
 /// A command line that was understood.
 struct Request {
   struct Given {
-    std::string option;               ///< its long name, or that of its place
-    std::vector<std::string> values;  ///< as they were given; empty when it was not
+    std::string option;               ///< its long name, or the argument's name
+    std::vector<std::string> values;  ///< as they were given; empty when the option was not
   };
   const Program* program = nullptr;
   const Command* command = nullptr;  ///< null when there is nothing to run
@@ -122,21 +122,21 @@ struct Request {
   std::vector<Given> given{};        ///< in the order of the command's table
 
   bool has(const std::string& option) const;
-  /// Lets the readers read their texts. Throws what they throw.
+  /// Gives each Reader its texts. Throws what they throw.
   void read() const;
-  /// Reads, and runs the command.
+  /// Calls read(), unless the command does so itself, and runs the command. Returns its exit code.
   int run() const;
 };
 
-/// Sets the variables of the command that is asked for. Help goes to standard output; complaints go to
-/// standard error, with the name that may have been meant.
+/// Parses the command line and sets the variables of the command that it asks for. Prints help to standard
+/// output, and complaints to standard error, with the name that may have been meant.
 Request understood(const Program& program, int argc, char** argv);
 
-/// "-o" and "--output" of "-o,--output"; none of what stands by its place.
+/// Returns "-o" and "--output" for "-o,--output"; nothing for an argument that is known by its place.
 std::vector<std::string> dashed_names(const Option& option);
-/// What help calls the value; empty for a flag.
+/// Returns what help calls the value; empty for a flag.
 std::string value_name(const Option& option);
-/// As help shows it; empty where it shows none.
+/// Returns the default as help shows it; empty where it shows none.
 std::string default_text(const Option& option);
 
 }  // namespace plumb::cli

@@ -1,4 +1,4 @@
-// The report of image files that were compared.
+// Writes the report of image files that were compared.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@ namespace plumb::cli {
 
 class CompareReport {
  public:
-  /// Throws std::runtime_error when the directory cannot be written; so do the others.
+  /// All functions throw std::runtime_error when the directory cannot be written.
   CompareReport(const std::string& directory, const std::string& title, const std::string& subtitle);
 
   /// Gives the rows of the findings back; `result` is what --json says. One channel is shown as grey, alpha

@@ -1,4 +1,4 @@
-// The pictures of two directories, or of two patterns, compared in pairs.
+// Compares the pictures of two directories, or of two patterns, in pairs.
 #pragma once
 
 #include <string>
@@ -17,11 +17,11 @@ struct CompareOptions {
   references::Bounds bounds;
   PairOptions pair;
 
-  /// Whether the results are told on standard output as text.
+  /// True if the results are shown on standard output as text.
   bool says_text() const { return json != "-" && junit != "-"; }
 };
 
-/// Tells a row of a table for each pair when it is compared; a pair in trouble leaves the others theirs.
+/// Prints a row of a table for each pair when it is compared. A pair in trouble does not stop the others.
 /// Returns the exit code of the worst.
 int compare_several(const CompareOptions& options);
 

@@ -1,4 +1,4 @@
-// The page that a diagnosis writes.
+// Writes the page of a diagnosis.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,7 @@ struct TellApart {
   std::optional<std::string> scene;  ///< none where none tells any of them apart
 };
 
-/// What was diagnosed; all must outlive it.
+/// What was diagnosed. All that it refers to must outlive it.
 struct Diagnosed {
   const std::string& image;  ///< name of the file
   const Shot& shot;          ///< of the size of the picture
@@ -26,8 +26,8 @@ struct Diagnosed {
   const std::string& not_looked_at;  ///< may be empty
 };
 
-/// DIR/diagnose.html: their picture, ours, with the faults, and what remains; each fault as `hint` tells it.
-/// Throws std::runtime_error when it cannot be written.
+/// Writes DIR/diagnose.html: their picture, ours, with the faults, and what remains; each fault as `hint`
+/// tells it. Throws std::runtime_error when it cannot be written.
 void write_diagnosis(const std::string& directory, const Diagnosed& diagnosed, int hint);
 
 }  // namespace plumb::cli

@@ -1,4 +1,4 @@
-// Where `plumb judge` writes its results, and keeps them until then.
+// Where `plumb judge` writes its results, and where it keeps them until then.
 #pragma once
 
 #include <memory>
@@ -16,25 +16,25 @@ struct JudgeOutputs {
   int hint = 3;
 };
 
-/// --hint --report --json --csv --junit --resume
+/// Adds --hint --report --json --csv --junit --resume.
 Table judge_output_options(JudgeOutputs& outputs);
 
-/// Throws std::invalid_argument when two go to standard output.
+/// Throws std::invalid_argument when two of them go to standard output.
 void check(const JudgeOutputs& outputs);
 
-/// The files and directories that are written, and where journals of earlier runs may lie.
+/// Returns the files and directories that are written, and where journals of earlier runs may lie.
 std::vector<std::string> places_of_results(const JudgeOutputs& outputs);
 
-/// Opens the journal, and says what of an earlier run is in it. Null when nothing is written to a file.
+/// Opens the journal, and says what it holds of an earlier run. Null when nothing is written to a file.
 /// Throws std::runtime_error.
 std::unique_ptr<references::Journal> open_journal(const JudgeOutputs& outputs);
 
-/// Each is written though another cannot be, which is said on standard error. True when all are. Varied
-/// scenes are put beside the report.
+/// Writes each of them. One that cannot be written is reported on standard error and does not stop the
+/// others. Returns true when all are written. Puts varied scenes beside the report.
 bool write_all(const JudgeOutputs& outputs, const std::vector<references::JudgedPicture>& all,
                const references::RunFacts& facts, const std::vector<references::JudgedScene>& scenes);
 
-/// The table for the terminal; nothing when a result goes to standard output.
+/// Prints the table for the terminal; nothing when a result goes to standard output.
 void print(const JudgeOutputs& outputs, const std::vector<references::JudgedPicture>& all,
            const references::RunFacts& facts);
 

@@ -1,4 +1,4 @@
-// No result is written over what the same command reads.
+// Makes sure that no result is written over what the same command reads.
 #pragma once
 
 #include "references/cli/command_line.hpp"

@@ -1,4 +1,4 @@
-// Progress of long work: a line that is drawn over, on a terminal only.
+// Shows the progress of long work: a line that is drawn over, on a terminal only.
 #pragma once
 
 #include <chrono>
@@ -13,9 +13,9 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// Draws at most ten times a second, and nothing in the first second. `fraction` in 0..1.
+  /// Draws the fraction that is done, 0 to 1: at most ten times a second, and nothing in the first second.
   void show(double fraction);
-  /// Takes the line away, for other output.
+  /// Removes the line, for other output.
   void clear();
 
  private:

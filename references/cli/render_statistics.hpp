@@ -24,12 +24,12 @@ struct RenderStatistics {
   std::string scene, engine, real;
   int width = 0, height = 0;
   engine::Seconds read, write;
-  bool has_counts = true;  ///< of rays and objects: the textbook tracer counts nothing
+  bool has_counts = true;  ///< of rays and objects; the textbook tracer counts nothing
   engine::Statistics counts;
   std::optional<ChosenForError> chosen;  ///< when --error chose
 };
 
-/// Several lines.
+/// Returns several lines.
 std::string as_text(const RenderStatistics& statistics);
 /// One object, see plumb render --stats-json.
 std::string as_json(const RenderStatistics& statistics);

@@ -1,4 +1,4 @@
-// The report of verify and regress: a page with every scene.
+// Writes the report of verify and regress: a page with every scene.
 #pragma once
 
 #include <memory>
@@ -10,13 +10,13 @@
 
 namespace plumb::cli {
 
-/// Adds scenes one by one and writes DIRECTORY/index.html at the end; without a directory it does nothing.
+/// Adds scenes one by one and writes DIRECTORY/index.html at the end. Without a directory it does nothing.
 class SceneReport {
  public:
   SceneReport(const std::string& directory, const std::string& title, double tolerance);
 
   bool is_wanted() const { return writer_ != nullptr; }
-  /// `options` are those of plumb explain that the picture was made with, each with a blank before it;
+  /// `options` are those of plumb explain with which the picture was made, each with a blank before it;
   /// nothing when plumb did not make it.
   void add(const references::SceneResult& result, const std::optional<std::string>& options,
            const std::string& approve_command = "");
