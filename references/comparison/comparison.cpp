@@ -50,7 +50,7 @@ Comparison comparison_of(const comparison_kernels::Tally& tally, std::size_t pix
   return result;
 }
 
-/// The rows are not kept.
+/// The rows do not keep the values alive.
 PixelRows rows_over(int width, int height, int channels, const std::vector<float>& values) {
   PixelRows rows;
   rows.width = width;
@@ -61,13 +61,14 @@ PixelRows rows_over(int width, int height, int channels, const std::vector<float
   return rows;
 }
 
-/// Pixels of a row.
+/// A range of pixels in a row.
 struct Range {
   std::size_t first = 0;
   std::size_t end = 0;
 };
 
-/// What of row y differs, bytes in both, to whole chunks: the sums then group as those of a whole row.
+/// Returns what of row y differs, for rows of bytes, extended to complete chunks. The sums then group as
+/// those of a complete row.
 Range differing(const PixelRows& reference, const PixelRows& test, int y) {
   constexpr std::size_t chunk = 64;
   const std::byte *const r = reference.row(y), *const t = test.row(y);
@@ -83,7 +84,7 @@ Range differing(const PixelRows& reference, const PixelRows& test, int y) {
   return {first, std::min(width, last + chunk)};
 }
 
-/// Floats only whole.
+/// Returns these columns of rows of bytes. Rows of floats stay as they are, so their range must be complete.
 PixelRows columns_of(PixelRows rows, Range range) {
   rows.width = static_cast<int>(range.end - range.first);
   if (rows.is_bytes) rows.top += range.first * static_cast<std::size_t>(rows.channels);
@@ -97,7 +98,8 @@ void expect_valid(Limit limit) {
     throw std::invalid_argument("expected a finite relative tolerance >= 0");
 }
 
-/// The pixels that count after x in row y, and the end of their run; both are the width when there are none.
+/// Returns the next run of pixels in row y, from x on, that count. Both ends are the width when there is
+/// none.
 Range next_run(const PixelMask& mask, int y, std::size_t x, std::size_t width) {
   const auto counts = [&](std::size_t at) { return mask.has(static_cast<int>(at), y); };
   while (x < width && !counts(x)) ++x;

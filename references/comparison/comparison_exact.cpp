@@ -14,7 +14,7 @@ bool is_whole(const PixelRows& rows, std::size_t channel) {
 }
 
 struct Component {
-  double scale;  ///< what 1 of the tolerance is for it
+  double scale;  ///< what 1 of the tolerance means for it
   double allowed;
 };
 

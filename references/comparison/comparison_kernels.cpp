@@ -31,7 +31,7 @@ float component(const std::byte* from, std::size_t index) {
   return value;
 }
 
-/// One pixel, with every case.
+/// Adds one pixel, for all cases.
 void add_pixel(Tally& tally, const std::byte* reference, const std::byte* test, std::size_t channels,
                const Limit& limit, std::size_t number) {
   bool is_finite = true, is_over = false;
@@ -61,7 +61,7 @@ void add_pixel(Tally& tally, const std::byte* reference, const std::byte* test, 
   tally.sum_of_squares += squares;
 }
 
-/// As many components as a vector holds doubles, from anywhere.
+/// Loads as many components as a vector holds doubles; they need no alignment.
 HWY_INLINE V load(const std::byte* from) {
 #if HWY_TARGET == HWY_SCALAR
   return hn::Set(Doubles(), component(from, 0));
@@ -76,8 +76,8 @@ struct Sums {
   V largest, sum, squares;
 };
 
-/// A whole vector of pixels for `channels` vectors of components; false, with nothing added, when a component
-/// is not finite or farther off than the worst so far: then each pixel counts by itself.
+/// Adds a vector of pixels, which is `channels` vectors of components. Returns false and adds nothing when a
+/// component is not finite or farther off than the worst so far; the caller then adds each pixel by itself.
 template <std::size_t channels>
 HWY_INLINE bool add_vector(Sums& sums, std::size_t& over, const std::byte* reference, const std::byte* test,
                            double tolerance, double worst) {
@@ -92,7 +92,7 @@ HWY_INLINE bool add_vector(Sums& sums, std::size_t& over, const std::byte* refer
     difference[i] = hn::Abs(hn::Sub(t, r));
     const V scale = hn::Max(hn::Set(d, 1.0), hn::Abs(r));
     is_over[i] = hn::Gt(difference[i], hn::Mul(hn::Set(d, tolerance), scale));
-    // Not finite, on either side, leaves a difference that is not finite: not <= anything finite.
+    // A component that is not finite leaves a difference that is not finite, and so not <= anything finite.
     is_special = hn::Or(is_special, hn::Not(hn::Le(difference[i], hn::Mul(hn::Set(d, worst), scale))));
     is_special = hn::Or(is_special, hn::Not(hn::Le(difference[i], hn::Set(d, 1e300))));
   }
@@ -125,7 +125,7 @@ void add_pixels(Tally& tally, const std::byte* reference, const std::byte* test,
     for (std::size_t i = from; i < end; ++i)
       add_pixel(tally, reference + i * size, test + i * size, channels, limit, first + i);
   };
-  // The first pixel of all counts by itself: where all agree it is the worst, however wide vectors are.
+  // The very first pixel is added by itself: it is the worst where all agree, however wide the vectors are.
   std::size_t i = tally.worst < 0 && pixels > 0 ? 1 : 0;
   one_by_one(0, i);
   for (; i + lanes <= pixels; i += lanes) {

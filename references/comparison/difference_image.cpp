@@ -11,7 +11,7 @@
 namespace plumb::references {
 namespace {
 
-/// One row after the other.
+/// Computes the differences of one row after the other.
 class Differences {
  public:
   Differences(const PixelRows& reference, const PixelRows& test, const PixelMask& mask)
@@ -46,7 +46,7 @@ class Differences {
   std::vector<double> t_;
 };
 
-/// Magenta stands out: no difference of greys has it.
+/// Scales a row. What is not finite becomes magenta, which no difference of greys is.
 void scale_row(float* row, std::size_t values, double scale) {
   for (std::size_t i = 0; i < values; i += 3) {
     if (std::all_of(row + i, row + i + 3, [](float v) { return std::isfinite(v); })) {

@@ -1,4 +1,4 @@
-// The usual accidents between two programs, as what they do to a picture.
+// The usual accidents between two programs, and what each does to a picture.
 #pragma once
 
 #include <functional>
@@ -11,23 +11,23 @@ namespace plumb::references {
 struct Hypothesis {
   std::string name;
   std::string text;
-  // Where in the test picture the pixel (x, y) of the reference is.
+  // Where the pixel (x, y) of the reference is in the test picture.
   bool flips_rows = false;
   bool mirrors_columns = false;
   int dx = 0;
   int dy = 0;
   bool swaps_channels = false;
-  // What became of a value; none: nothing.
+  // What became of a value; empty: nothing.
   std::function<double(double)> curve = {};
-  // Bounds of test - curve(reference); the tolerance when both are 0.
+  // Bounds of test - curve(reference); the tolerance counts when both are 0.
   double least = 0;
   double most = 0;
-  std::function<bool(float)> is_level = {};  // what every value of the test picture must be
-  int bits = 0;                              // of the whole numbers, when those are meant
+  std::function<bool(float)> is_level = {};  // true for values that the test picture may have; empty: any
+  int bits = 0;                              // depth of the file's integers, if it is about those
   std::string because = {};
 };
 
-/// All that are tried, in this order: the first that leaves nothing over is named.
+/// Returns all that are tried, in this order. The first that leaves nothing over is named.
 const std::vector<Hypothesis>& hypotheses();
 
 }  // namespace plumb::references

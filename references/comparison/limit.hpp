@@ -8,8 +8,8 @@ namespace plumb::references {
 
 /// A component agrees when it differs by at most at(reference). Values that are not finite never agree.
 struct Limit {
-  double tolerance;     ///< relative above 1
-  double relative = 0;  ///< relative everywhere, where that allows more
+  double tolerance;     ///< relative above 1 only
+  double relative = 0;  ///< relative everywhere; counts where it allows more
 
   /// A plain number is a tolerance.
   Limit(double tolerance_, double relative_ = 0) : tolerance(tolerance_), relative(relative_) {}
@@ -18,7 +18,7 @@ struct Limit {
     const double size = std::abs(reference);
     return std::max(tolerance * std::max(1.0, size), relative * size);
   }
-  /// Whether `relative` allows more than the tolerance anywhere.
+  /// True if `relative` allows more than the tolerance anywhere.
   bool is_relative() const { return relative > tolerance; }
 };
 

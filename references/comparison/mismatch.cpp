@@ -13,13 +13,13 @@
 namespace plumb::references {
 namespace {
 
-/// Sums of squared differences, and the pixels that differ.
+/// The sum of squared differences, and the number of pixels that differ.
 struct Rest {
   double squares = 0;
   std::size_t pixels_over = 0;
 };
 
-/// In eight sums, which a processor adds side by side.
+/// Adds in eight sums, which a processor computes side by side.
 double sum_of_squares(const std::vector<float>& values, const std::vector<double>& expected,
                       std::size_t size) {
   constexpr std::size_t lanes = 8;
@@ -35,7 +35,7 @@ double sum_of_squares(const std::vector<float>& values, const std::vector<double
   return std::accumulate(sums.begin(), sums.end(), 0.0);
 }
 
-/// The pictures, a pair of rows at a time.
+/// Tries hypotheses on the two pictures, a pair of rows at a time.
 class Trial {
  public:
   Trial(const PixelRows& reference, const PixelRows& test, Limit limit)
@@ -49,8 +49,8 @@ class Trial {
         t_some_(r_some_.size()),
         expected_(r_some_.size()) {}
 
-  /// Whether rest() would find more than `most_squares`, found out without counting pixels, quickly: most
-  /// hypotheses are wrong. For pictures of finite pixels; false when it is not certain.
+  /// True if rest() would certainly find more than `most_squares`. It finds out without counting pixels,
+  /// which is fast: most hypotheses are wrong. The pictures must have finite pixels only.
   bool is_refuted(const Hypothesis& h, double most_squares) {
     if (h.is_level || !h.because.empty()) return false;  // rest() is quick
     constexpr double rounding = 1e-6;                    // of both orders of adding, below 2^53 / 10^9 values
@@ -69,7 +69,7 @@ class Trial {
     return false;
   }
 
-  /// Nothing as soon as more than `most_squares` are left or a value contradicts the hypothesis.
+  /// Returns nothing as soon as more than `most_squares` are left or a value contradicts the hypothesis.
   std::optional<Rest> rest(const Hypothesis& h, double most_squares) {
     Rest rest;
     for (int i = 0; i < reference_.height; ++i) {
@@ -82,8 +82,8 @@ class Trial {
     return rest;
   }
 
-  /// Squared differences of the pixels that the hypothesis leaves without a counterpart, in either picture:
-  /// it lies outside or is not finite.
+  /// Returns the squared differences of the pixels for which the hypothesis leaves no counterpart in the
+  /// other picture: it lies outside or is not finite.
   double squares_lost(const Hypothesis& h) {
     double sum = 0;
     std::vector<float> counterparts(t_.size());
@@ -115,7 +115,7 @@ class Trial {
     return (h.mirrors_columns ? reference_.width - 1 - x : x) + h.dx;
   }
 
-  /// Whether this pixel of the test picture is the counterpart of one inside the reference. A flip leaves
+  /// True if this pixel of the test picture is the counterpart of one inside the reference. A flip leaves
   /// none out, so that only the shift counts.
   bool is_moved_to(const Hypothesis& h, int x, int y) const {
     const int column = x - h.dx, row = y - h.dy;
@@ -126,7 +126,7 @@ class Trial {
     return std::all_of(pixel, pixel + channels_, [](float v) { return std::isfinite(v); });
   }
 
-  /// Of `count` pixels of the reference's row from x on.
+  /// Returns the squared differences of `count` pixels of the reference's row, from x on.
   double squares_of_some(const Hypothesis& h, const std::byte* r, const std::byte* t, int x, int count) {
     const std::size_t pixel = channels_ * sizeof(float), size = static_cast<std::size_t>(count) * channels_;
     const int other = h.mirrors_columns ? reference_.width - x - count : x + h.dx;
@@ -148,7 +148,8 @@ class Trial {
     return sum_of_squares(t_some_, expected_, size);
   }
 
-  /// All rows, neighbours far apart: what a background hides shows soon.
+  /// Returns a row for each i, all of them in an order in which neighbours are far apart. What only a part of
+  /// the picture shows, shows soon.
   int scattered(int i) const {
     constexpr int rows_apart = 61;
     const int rounds = (reference_.height + rows_apart - 1) / rows_apart;
@@ -223,12 +224,13 @@ class Trial {
   std::vector<double> expected_;
 };
 
-/// Whole numbers of so many bits were not made such numbers; those of 8 bits, nothing else either.
+/// True if the file already holds integers of this depth, so that quantising explains nothing.
 bool is_of_integers(const PixelRows& rows, int bits) {
   return rows.is_bytes || rows.sample == Sample::bits8 || (bits == 16 && rows.sample == Sample::bits16);
 }
 
-/// The picture with NaN where the mask leaves pixels out: a pixel that is not finite explains nothing.
+/// Returns the picture with NaN where the mask leaves pixels out, because a pixel that is not finite explains
+/// nothing.
 PixelRows without_masked(const PixelRows& rows, const PixelMask& mask) {
   ImageFile file = image_of(rows);
   const auto channels = static_cast<std::size_t>(file.channels);
@@ -255,7 +257,7 @@ std::optional<LikelyCause> masked_cause(const PixelRows& reference, const PixelR
 
 std::optional<LikelyCause> likely_cause(const PixelRows& reference, const PixelRows& test, Limit limit,
                                         const Comparison& comparison, const PixelMask& mask) {
-  if (needs_doubles(reference, test)) return std::nullopt;  // these are no colours
+  if (needs_doubles(reference, test)) return std::nullopt;  // these values are no colours
   if (!mask.has_all()) return masked_cause(reference, test, limit, comparison, mask);
   const auto finite = static_cast<double>((comparison.pixels - comparison.non_finite) *
                                           static_cast<std::size_t>(reference.channels));

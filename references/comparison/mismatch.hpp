@@ -1,5 +1,5 @@
-// Why two pictures differ as a whole: the usual accidents between two programs, each tried out and named only
-// when it explains the difference.
+// Finds out why two pictures differ as a whole. It tries the usual accidents between two programs, and names
+// one only when that explains the difference.
 #pragma once
 
 #include <optional>
@@ -13,17 +13,16 @@ namespace plumb::references {
 struct LikelyCause {
   std::string name;             ///< for programs: rows_flipped, shifted, srgb_encoded, half, ...
   std::string text;             ///< for people, e.g. "rows are flipped"
-  std::size_t pixels_over = 0;  ///< once the cause is undone, those not finite left aside
-  double removed = 1;           ///< share of the squared error that goes with it
-  std::string because;          ///< the bound that stood in for the tolerance, if one did
+  std::size_t pixels_over = 0;  ///< once the cause is undone; without those that are not finite
+  double removed = 1;           ///< share of the squared error that undoing it removes
+  std::string because;          ///< the bound that replaced the tolerance, if one did
 };
 
-/// Undoes one accident after the other in the test picture (channel order, flips, shifts by one pixel, the
-/// sRGB curve, the tone map c / (c + 1), half floats, 8 or 16 bits rounded or truncated) and returns the
-/// first that leaves no pixel over, else the one that removes at least 99 % of the squared error (the RMS
-/// error falls to a tenth), else nothing. Pictures of one size and channel count that differ; `comparison` is
-/// theirs,
-/// of the pixels of the mask.
+/// Undoes one accident after the other in the test picture: channel order, flips, shifts by one pixel, the
+/// sRGB curve, the tone map c / (c + 1), half floats, 8 or 16 bits rounded or truncated. Returns the first
+/// that leaves no pixel over, else the one that removes most, at least 99 %, of the squared error (the RMS
+/// error falls to a tenth), else nothing. The pictures have one size and channel count and differ;
+/// `comparison` is theirs, of the pixels of the mask.
 std::optional<LikelyCause> likely_cause(const PixelRows& reference, const PixelRows& test, Limit limit,
                                         const Comparison& comparison, const PixelMask& mask = {});
 

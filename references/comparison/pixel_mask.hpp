@@ -1,4 +1,4 @@
-// Which pixels of a picture count in a comparison.
+// Tells which pixels of a picture count in a comparison.
 #pragma once
 
 #include <cstddef>
@@ -13,16 +13,16 @@ class PixelMask {
  public:
   /// Every pixel counts, whatever the size of the picture.
   PixelMask() = default;
-  /// Of a picture of this size, every pixel counts or none.
+  /// In a picture of this size, every pixel counts or none does.
   PixelMask(int width, int height, bool counts);
 
   bool has_all() const { return counts_.empty(); }
   bool has(int x, int y) const { return has_all() || counts_[at(x, y)] != 0; }
   /// The pixel must be inside the picture, and the mask must have a size.
   void set(int x, int y, bool counts) { counts_[at(x, y)] = counts ? 1 : 0; }
-  /// What of the rectangle lies outside the picture is left aside.
+  /// Sets a rectangle. Its part outside the picture is ignored.
   void set(const Window& rectangle, bool counts);
-  /// The number of pixels that count, of a mask that has a size.
+  /// Returns the number of pixels that count. The mask must have a size.
   std::size_t count() const;
 
  private:

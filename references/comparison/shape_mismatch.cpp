@@ -50,7 +50,7 @@ std::string text_of(const Window& w) {
          "," + std::to_string(w.y + w.height - 1) + ")";
 }
 
-/// Of a file whose pixels do not fill its display window, or lie beyond it.
+/// Describes the windows of a file whose pixels do not fill its display window, or lie beyond it.
 std::string window_text(const std::string& whose, const PixelRows& rows) {
   const FileContents& c = rows.contents;
   if (!c.window || !c.display || text_of(*c.window) == text_of(*c.display)) return "";
@@ -101,7 +101,7 @@ std::string in_both(const std::vector<std::string>& roles, const std::vector<std
   return text;
 }
 
-/// The first channel of `more` that `less` lacks, for the message.
+/// Names, for the message, the first channel of `more` that `less` lacks.
 std::string surplus(const std::string& whose, const PixelRows& more, const PixelRows& less) {
   const std::vector<std::string> roles = roles_of(more), names = names_of(more), others = roles_of(less);
   if (!have_one_in_common(roles, others)) return "no channel of " + whose + " is in the other";
@@ -119,7 +119,7 @@ std::optional<std::string> channel_mismatch(const PixelRows& reference, const Pi
   if (is(1, 3)) return "the reference is grey";
   if (test.channels > reference.channels) return surplus("the test picture", test, reference);
   if (test.channels < reference.channels) return surplus("the reference", reference, test);
-  // A single channel is what it is; and a file that names none says nothing else.
+  // The name of a single channel does not matter, and a file that names none contradicts nothing.
   if (test.channels == 1 || reference.contents.channels.empty() || test.contents.channels.empty())
     return std::nullopt;
   if (roles_of(reference) == roles_of(test)) return std::nullopt;

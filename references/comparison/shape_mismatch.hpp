@@ -1,4 +1,4 @@
-// Whether two files hold pictures that can be compared value by value: sizes, windows, channels.
+// Tells whether two files hold pictures that can be compared value by value: sizes, windows, channels.
 #pragma once
 
 #include <optional>
@@ -9,17 +9,17 @@
 
 namespace plumb::references {
 
-/// Of its channels, in their order; the usual ones where the file names none.
+/// Returns the names of its channels in their order; the usual ones where the file names none.
 std::vector<std::string> names_of(const PixelRows& rows);
 
 bool is_one_everywhere(const PixelRows& rows, int channel);
 
 /// Leaves out the alpha of one picture when the other has none and it is 1 everywhere: nothing is lost then.
-/// Says so in its `not_read`.
+/// Its `not_read` says so.
 void leave_out_opaque_alpha(PixelRows& reference, PixelRows& test);
 
-/// Why pictures of these shapes cannot be compared, for people; nothing when they can. Channels go by their
-/// roles: diffuse.R and LeR are R.
+/// Returns why pictures of these shapes cannot be compared, for people, or nothing when they can. Channels
+/// are known by their roles: diffuse.R and LeR are R.
 std::optional<std::string> shape_mismatch(const PixelRows& reference, const PixelRows& test);
 
 }  // namespace plumb::references

@@ -11,7 +11,7 @@
 namespace plumb::references {
 namespace {
 
-/// Finite: the weights' sum may be rounded above 1.
+/// Returns a finite luminance: the sum of the weights may be rounded above 1.
 float luminance(const float* pixel, int channels) {
   if (channels < 3) return pixel[0];
   constexpr float most = std::numeric_limits<float>::max();
@@ -27,7 +27,8 @@ double light_of_0_85() {
   return -half + std::sqrt(half * half + t * 0.14 / square);
 }
 
-/// As numpy's percentile: between the two in the middle of an even count. Reorders the values.
+/// Like numpy's percentile: returns the mean of the two in the middle of an even number of values. Reorders
+/// them.
 double median(std::vector<float>& values) {
   const std::size_t middle = values.size() / 2;
   const auto at = values.begin() + static_cast<std::ptrdiff_t>(middle);

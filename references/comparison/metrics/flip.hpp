@@ -19,12 +19,12 @@ enum class ColourSpace {
   linear  ///< light, possibly above 1: judged by HDR-FLIP
 };
 
-/// Exposures of HDR-FLIP, in stops: 2021, section 3.2, from the reference alone, for the tone curve ACES of
-/// K. Narkowicz (2016) without its pre-exposure of 0.6.
+/// Exposures of HDR-FLIP, in stops (2021, section 3.2). They follow from the reference alone, for the tone
+/// curve ACES of K. Narkowicz (2016) without its pre-exposure of 0.6.
 struct Exposures {
   double start = 0;  ///< the brightest pixel reaches 0.85
   double stop = 0;   ///< the median pixel reaches 0.85
-  int count = 1;     ///< at least 2, whole stops apart at most; 1, of 0 stops, for a black reference
+  int count = 1;     ///< at least 2, else the stops in between, rounded up; 1 for a black reference
 };
 
 struct Flip {
@@ -33,17 +33,17 @@ struct Flip {
   std::optional<Exposures> exposures;  ///< of HDR-FLIP
 };
 
-/// The largest and the median luminance of the reference decide; a median below 2^-23 counts as
-/// 2^-23, and a reference without any pixel above that counts as black: the range of exposures is the paper's
-/// only as long as the largest is not below the median, and float32 holds no factor that would show less.
+/// Computes them from the largest and the median luminance of the reference. A median below 2^-23 counts as
+/// 2^-23; a reference without any pixel above that counts as black. The paper's range needs a largest value
+/// that is not below the median, and float32 holds no factor that would show less.
 Exposures flip_exposures(const PictureView& reference);
 
-/// FLIP of every pixel, row by row; for linear colours the largest over all exposures (2021, section 3.1).
-/// Pictures of one size with finite components; of more than three channels the first three count, of fewer
-/// the first is grey.
+/// Returns FLIP of every pixel, row by row; for linear colours the largest over all exposures (2021, section
+/// 3.1). The pictures have one size and finite components. Of more than three channels the first three count;
+/// of fewer, the first is grey.
 std::vector<float> flip_map(const PictureView& reference, const PictureView& test, ColourSpace space);
 
-/// Mean and largest value of that map.
+/// Returns mean and largest value of that map.
 Flip flip(const PictureView& reference, const PictureView& test, ColourSpace space);
 
 }  // namespace plumb::references

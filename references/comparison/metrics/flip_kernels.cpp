@@ -76,12 +76,12 @@ void to_opponent_row(const float* rgb, std::size_t width, ColourSpace space, flo
   }
 }
 
-/// Filtered down the columns; one row, with room for `margin` replicated pixels on its left.
+/// Size of the room for replicated pixels on the left of a row that was filtered down the columns.
 constexpr std::size_t margin = flip_model::most_taps;
 enum Filtered { achromatic, red_green, blue_yellow_1, blue_yellow_2, smooth, edge, point, filtered_count };
 
 struct Rows {
-  const float* at[2 * flip_model::most_taps];  // from centre - radius, those outside replicated
+  const float* at[2 * flip_model::most_taps];  // rows from centre - radius on; those outside are replicated
 };
 
 HWY_INLINE Rows rows_around(const Opponent& picture, int plane, std::size_t y, int radius) {

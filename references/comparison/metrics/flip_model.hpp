@@ -24,11 +24,11 @@ struct Model {
   // Linear sRGB to XYZ over the XYZ of white, and back.
   std::array<float, 9> white_from_rgb{};
   std::array<float, 9> rgb_from_white{};
-  // 2020, section 4.1.3: the largest difference of colours, between green and blue, to the power of 0.7.
+  // 2020, section 4.1.3: the largest colour difference, that between green and blue, to the power of 0.7.
   float largest = 0;
 };
 
-/// The same at every call.
+/// Returns the same model at every call.
 const Model& model();
 
 }  // namespace plumb::references::flip_model

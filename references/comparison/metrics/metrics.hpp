@@ -11,7 +11,7 @@
 
 namespace plumb::references {
 
-/// The percentiles that are told, in thousandths.
+/// The percentiles that are reported, in thousandths.
 inline constexpr std::array<std::size_t, 4> permilles{500, 900, 990, 999};
 
 /// A metric that is one number of two whole pictures.
@@ -27,11 +27,10 @@ const std::vector<ScalarMetric>& scalar_metrics();
 /// A pixel with a component that is not finite, on either side, enters none of them (the comparison counts
 /// it).
 struct Metrics {
-  double peak =
-      1;  ///< the largest |component| on either side, at least 1: what OpenImageIO's idiff takes, too
+  double peak = 1;  ///< largest |component| on either side, at least 1, as OpenImageIO's idiff takes it
   std::optional<double> psnr_db;  ///< 20 log10(peak / RMS error); nothing when nothing differs
-  /// Of the largest difference of each pixel's components: the smallest that is not exceeded by that many
-  /// percent of the pixels (nearest rank).
+  /// Of the largest difference of each pixel's components: the smallest that this share of the pixels does
+  /// not exceed (nearest rank).
   std::array<double, permilles.size()> percentiles{};
   std::vector<double> bias;  ///< per channel, the mean of test - reference
   // Costly ones; nothing unless asked for, and when a pixel is not finite.

@@ -1,4 +1,4 @@
-// A picture as the metrics take it.
+// A picture as the metrics read it.
 #pragma once
 
 #include <cstddef>
