@@ -13,7 +13,7 @@
 namespace plumb::references {
 namespace {
 
-/// because an error of another kind may add to it
+/// A level counts as close up to this, because an error of another kind may add to it.
 constexpr float close = 2;
 /// The share of the pixels that are not right, that faults have to make right to the last level, so that they
 /// are named: because in pictures of scenes in which one number was changed two faults gave 0.88 of them.
@@ -21,9 +21,9 @@ constexpr double enough = 0.9;
 /// The same of the telling pixels: because faults with which a scene is nearly empty give next to none of
 /// them in a picture of it from farther away, and the faults of a real tracer gave half.
 constexpr double enough_that_tells = 0.5;
-/// The share of the picture that may be left without a cause, beside named faults or when it is called right
-/// apart from these pixels: because what is wrong with a larger part, e.g. a shape that is missing or half a
-/// picture, was taken for faults of formulas that have nothing to do with it.
+/// The share of the picture that may stay without a cause, beside named faults or in a picture that is right
+/// apart from it: because what is wrong with a larger part, e.g. a missing shape or half a picture, was taken
+/// for faults of formulas that have nothing to do with it.
 constexpr double most_apart = 0.05;
 
 void set_remaining(const std::vector<float>& differences, const std::vector<std::size_t>& pixels,
@@ -34,7 +34,7 @@ void set_remaining(const std::vector<float>& differences, const std::vector<std:
   diagnosis.rms = std::sqrt(squares / static_cast<double>(differences.size())) / 255;
 }
 
-/// The faults that give the same picture in the place of one of a set.
+/// Returns the faults that give the same picture in the place of one of a set.
 std::vector<const Fault*> alike(const Evidence& evidence, const Fit& fit, std::size_t fault) {
   const FaultSet rest = without(fit.set, fault);
   std::vector<FaultSet> exchanged;
@@ -52,7 +52,7 @@ std::vector<const Fault*> alike(const Evidence& evidence, const Fit& fit, std::s
   return found;
 }
 
-/// Of each fault of the set, in its order, the pixels of the survey that are right with it and not without.
+/// Returns, for each fault of the set, the number of survey pixels that are right with it and not without it.
 std::vector<std::size_t> righted_by_each(const Evidence& evidence, const FaultSet& set,
                                          const OutputEncoding& encoding) {
   const std::vector<bool> together = within(evidence, set, encoding, evidence.survey());
@@ -66,7 +66,8 @@ std::vector<std::size_t> righted_by_each(const Evidence& evidence, const FaultSe
   return all;
 }
 
-/// Takes out the fault that rights fewest pixels until each rights more than `few`.
+/// Takes out the fault that rights the fewest pixels until each rights more than `few`. Returns what they
+/// right.
 std::vector<std::size_t> without_idle(const Evidence& evidence, FaultSet& set, const OutputEncoding& encoding,
                                       std::size_t few) {
   for (;;) {
@@ -77,7 +78,7 @@ std::vector<std::size_t> without_idle(const Evidence& evidence, FaultSet& set, c
   }
 }
 
-/// A picture of one colour, which tells too little to name a fault: many give it.
+/// True if the picture has one colour. It then tells too little to name a fault: many faults give it.
 bool is_of_one_colour(const ImageFile& seen) {
   const auto channels = static_cast<std::size_t>(seen.channels);
   const std::size_t looked_at = channels < 3 ? 1 : 3;
@@ -87,7 +88,7 @@ bool is_of_one_colour(const ImageFile& seen) {
   return true;
 }
 
-/// Whether nothing is seen with these faults. The background of any picture then seems explained.
+/// True if nothing is seen with these faults. Then the background of any picture seems explained.
 bool shows_nothing(const Evidence& evidence, const FaultSet& set) {
   const std::vector<float> colours = evidence.colours(set, evidence.survey());
   for (std::size_t i = 3; i < colours.size(); ++i) {
@@ -96,7 +97,7 @@ bool shows_nothing(const Evidence& evidence, const FaultSet& set) {
   return true;
 }
 
-/// What stands at these pixels of the right picture.
+/// Returns what the right picture shows at these pixels.
 std::vector<ShapeSeen> shapes_at(const Evidence& evidence, const std::vector<std::size_t>& pixels) {
   RenderOptions first_hit = evidence.job().options;
   first_hit.depth = 1;
@@ -151,7 +152,7 @@ class Diagnostician {
     set_remaining(evidence_.differences({set, remains.encoding, 0, 0}), remains.pixels, diagnosis_);
   }
 
-  /// Whether the fit's faults explain enough; then they are told.
+  /// True if the fit's faults explain enough. Then it also fills in the diagnosis.
   bool are_faults(const Remains& right, Fit& fit) {
     Remains left = remains_of(evidence_, fit.set);
     std::vector<std::size_t> righted =
@@ -171,8 +172,8 @@ class Diagnostician {
     return true;
   }
 
-  /// Of the telling pixels that are not right, the share that the faults make right. Those that have the
-  /// picture's most frequent colour tell nothing: whatever empties the scene gives it.
+  /// Returns, of the telling pixels that are not right, the share that the faults make right. Pixels of the
+  /// picture's most frequent colour tell nothing, because whatever empties the scene gives it.
   double told_share(const Remains& right, const Remains& left) const {
     if (left.pixels.empty()) return 1;
     const std::array<float, 3> most_frequent = most_frequent_colour();
@@ -187,7 +188,7 @@ class Diagnostician {
     return {at[0], at[1], at[2]};
   }
 
-  /// Of large pictures, among evenly spread pixels.
+  /// Counts evenly spread pixels in large pictures.
   std::array<float, 3> most_frequent_colour() const {
     constexpr std::size_t most_counted = 200'000;
     const std::size_t stride = 1 + evidence_.pixels_of_picture() / most_counted;
@@ -200,7 +201,7 @@ class Diagnostician {
     return most == counts.end() ? std::array<float, 3>{} : most->first;
   }
 
-  /// In pixels of the survey.
+  /// Returns how many pixels of the survey a fault must right.
   std::size_t least_righted(const Remains& right, const Remains& left) const {
     constexpr double of_picture = 0.0005;  // because float and double disagree in up to 18 of 153,600 pixels
     // because beside pixels with another cause a small share of them may be right by chance

@@ -1,4 +1,4 @@
-// What is wrong with the tracer that made a picture.
+// Finds what is wrong with the tracer that made a picture.
 #pragma once
 
 #include <optional>
@@ -11,8 +11,8 @@ namespace plumb::references {
 
 enum class PictureVerdict {
   right,        ///< every pixel is what an encoding holds of the lecture's, or proven to lie on an edge
-  right_apart,  ///< all but a few, which no known fault explains
-  faults,       ///< explained by the faults, as a whole or in part
+  right_apart,  ///< the same but for a few pixels, which no known fault explains
+  faults,       ///< the faults explain it, all or in part
   unexplained   ///< none of these: no set of known faults gives this picture
 };
 
@@ -20,9 +20,9 @@ const char* to_string(PictureVerdict verdict);
 
 struct FoundFault {
   const Fault* fault;
-  double confidence;   ///< 0 to 1: the share explained, divided among those that cannot be told apart
-  std::size_t pixels;  ///< that are right with it and not without it; never 0
-  std::vector<const Fault*> alike;  ///< that give the same picture of this scene in its place
+  double confidence;   ///< 0 to 1: the share explained, divided among the faults that cannot be told apart
+  std::size_t pixels;  ///< number that are right with it and not without it; never 0
+  std::vector<const Fault*> alike;  ///< faults that give the same picture of this scene in its place
 };
 
 struct ShapeSeen {
@@ -32,34 +32,34 @@ struct ShapeSeen {
 
 struct Diagnosis {
   PictureVerdict verdict = PictureVerdict::unexplained;
-  std::vector<FoundFault> faults;  ///< by effect, the largest first; none when it is unexplained
+  std::vector<FoundFault> faults;  ///< the largest effect first; none when it is unexplained
   OutputEncoding encoding;
   bool is_flipped = false;      ///< upside-down is among the faults
-  double rms = 0;               ///< of what remains, in shares of 255 levels
-  std::size_t pixels_over = 0;  ///< that remain more than 2 levels away
-  std::size_t pixels = 0;       ///< of the picture
-  std::size_t non_finite = 0;   ///< pixels with a component that is no finite number
-  std::size_t edges = 0;        ///< pixels that are right because they are proven to lie on an edge
-  /// Pixels that neither the right picture nor, where there are faults, theirs accounts for.
+  double rms = 0;               ///< of the differences that remain, in shares of 255 levels
+  std::size_t pixels_over = 0;  ///< number that remain more than 2 levels away
+  std::size_t pixels = 0;       ///< number in the picture
+  std::size_t non_finite = 0;   ///< number with a component that is no finite number
+  std::size_t edges = 0;        ///< number that are right because they are proven to lie on an edge
+  /// Number of pixels that the picture with the faults found, or the right one, does not account for.
   std::size_t unexplained_pixels = 0;
-  double explained = 0;             ///< share of the pixels that are not right, that the faults make right
-  bool is_of_one_colour = false;    ///< and not right: it tells no mistake from another
-  std::vector<ShapeSeen> shapes{};  ///< of right_apart: what these pixels should show, the most first
+  double explained = 0;             ///< share of the pixels that are not right that the faults make right
+  bool is_of_one_colour = false;    ///< true if it is not right and of one colour, which tells nothing
+  std::vector<ShapeSeen> shapes{};  ///< with right_apart: what these pixels should show, the most first
 
   bool explains_all() const { return unexplained_pixels == 0; }
 };
 
-/// The picture's size is that of the job. `tolerance`, in shares of 1, is what colours of floats may be off
-/// by, relative above 1, instead of float32's own error; or by how much more the levels of integers may be
-/// off. Throws std::runtime_error when the scene cannot be traced.
+/// Diagnoses a picture of the job's size. `tolerance` is in shares of 1. Colours of floats may be off by it,
+/// relative above 1, instead of by float32's own error; levels of integers may be off by so much more. Throws
+/// std::runtime_error when the scene cannot be traced.
 Diagnosis diagnose(const Scene& scene, const Camera& camera, const textbook::RenderJob& job,
                    const ImageFile& seen, std::optional<double> tolerance = {});
 
 inline constexpr const char* one_colour_tells_nothing =
     "the picture has one colour, which tells no mistake from another";
 
-/// What is not right, in one line, e.g. "right apart from 313 of 76800 pixels, all on 'tiny'"; empty for a
-/// picture that is right.
+/// Returns what is not right, in one line, e.g. "right apart from 313 of 76800 pixels, all on 'tiny'"; empty
+/// for a picture that is right or explained.
 std::string summary_of(const Diagnosis& diagnosis);
 
 }  // namespace plumb::references

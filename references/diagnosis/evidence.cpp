@@ -18,8 +18,8 @@ constexpr float levels = 255;
 constexpr double most_units_of_survey = 8e6;  // a fifth of a second
 constexpr double most_units_in_all = 3.4e8;   // 8 s at most, a quarter of it as a rule
 
-/// The largest difference of the three channels, in levels, from what an encoding leaves unrounded. What is
-/// no number is off by all levels, even where it is none on both sides.
+/// Returns the largest difference of the three channels, in levels. `unrounded` is rounded first. What is no
+/// number is off by all levels, even where it is none on both sides.
 float difference(const float* unrounded, const float* seen, const OutputEncoding& encoding) {
   float largest = 0;
   for (std::size_t channel = 0; channel < 3; ++channel) {
@@ -48,8 +48,8 @@ double log_of(float difference) {
   return static_cast<float>(whole) == difference ? known[whole] : std::log1p(difference);
 }
 
-/// Chatterjee's coefficient of y as a function of x, with ties of y; what is no number in x is told apart
-/// from nothing. Zero where y is constant.
+/// Returns Chatterjee's coefficient of y as a function of x, with ties of y. Values of x that are no number
+/// count as equal. Zero where y is constant.
 double xi(const std::vector<float>& x, const std::vector<float>& y) {
   const std::size_t n = x.size();
   std::vector<std::size_t> order(n);

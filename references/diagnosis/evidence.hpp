@@ -1,4 +1,4 @@
-// The picture that is to be explained, and how well a set of faults explains it.
+// The picture that is to be explained. Tells how well a set of faults explains it.
 #pragma once
 
 #include <cstdint>
@@ -13,11 +13,11 @@
 
 namespace plumb::references {
 
-/// Faults as indices into the catalogue, in its order, each once.
+/// Faults as ascending indices into the catalogue, each once.
 using FaultSet = std::vector<std::size_t>;
 
 std::vector<const Fault*> faults_of(const FaultSet& set);
-/// With a fault that is not in it, and without one that is.
+/// Return the set with a fault that is not in it, and without one that is.
 FaultSet with(FaultSet set, std::size_t fault);
 FaultSet without(FaultSet set, std::size_t fault);
 
@@ -25,36 +25,35 @@ FaultSet without(FaultSet set, std::size_t fault);
 struct Fit {
   FaultSet set;
   OutputEncoding encoding;
-  /// Mean of ln(1 + d) over the pixels looked at, d the largest difference of a pixel in levels of 8 bits: it
-  /// asks how many pixels are right before it asks how wrong the others are.
+  /// Mean of ln(1 + d) over the pixels that count. d is the largest difference of a pixel's channels, in
+  /// levels of 8 bits. It asks how many pixels are right before it asks how wrong the others are.
   double misfit = 0;
-  /// How far the picture is a function of what the set gives, whichever: Chatterjee's xi ("A New Coefficient
-  /// of Correlation", 2021), mean of the channels; 1 when it is one, about 0 when they have nothing to do
-  /// with each other. Where the right points are seen in each pixel, it is high even if they have wrong
-  /// colours.
+  /// How far the picture is a function, whichever, of what the set gives: Chatterjee's xi ("A New Coefficient
+  /// of Correlation", 2021), mean of the channels. It is 1 for a function, and about 0 when they have nothing
+  /// to do with each other. It is high where each pixel shows the right point, even in wrong colours.
   double association = 0;
 };
 
 class Evidence {
  public:
-  /// All must outlive it. The job's size is the picture's. `tolerance` is in shares of 1: without it, colours
-  /// may be off by what float32 rounds (see float_errors()).
+  /// Scene and camera must outlive it. The job's size is the picture's. `tolerance` is in shares of 1;
+  /// without it, colours may be off by what float32 rounds (see float_errors()).
   Evidence(const Scene& scene, const Camera& camera, const textbook::RenderJob& job, const ImageFile& seen,
            std::optional<double> tolerance);
 
-  /// What the right colour of a pixel may be off by, relative above 1, and what a level of integers may be
-  /// off by beside.
+  /// How far the right colour of a pixel may be off, relative above 1.
   float colour_error(std::size_t pixel) const { return errors_.allowed[pixel]; }
   /// The same without what is allowed where nothing was measured: for curves that are steep at 0.
   float measured_error(std::size_t pixel) const { return errors_.measured[pixel]; }
+  /// How far a level of integers may be off in addition.
   double allowed_levels() const { return allowed_levels_; }
-  /// Whether the picture has numbers at a pixel.
+  /// True if the picture has finite numbers at a pixel.
   bool is_finite(std::size_t pixel) const;
   std::size_t non_finite() const;
-  /// The whole picture that a set gives, which is kept until another is asked for; the right one, by the
-  /// engine, is kept for good. Not finite where the set cannot be traced.
+  /// Returns the complete picture that a set gives, which is kept until another is asked for. The right one
+  /// is the engine's and kept for good. Colours are not finite when the set cannot be traced.
   const Image& picture_with(const FaultSet& set) const;
-  /// As colours(), of the scene as FloatMoves moves it.
+  /// Returns what colours() does, of the scene that FloatMoves makes of this number.
   std::vector<float> moved_colours(int number, const FaultSet& set, const std::vector<PixelPlace>& places,
                                    textbook::Work& work) const;
   /// Of the right tracer in such a scene, what its rays meet; see course_of(). Nothing where a pixel has too
@@ -64,37 +63,38 @@ class Evidence {
   /// At these pixels the right picture by the textbook tracer in float32, which rounds otherwise than the
   /// engine.
   std::vector<float> textbook_in_float(const std::vector<PixelPlace>& places) const;
-  /// The right picture of such a scene, by the engine in float32.
+  /// Returns the right picture of such a scene, by the engine in float32.
   Image moved_in_float(int number) const;
 
-  /// Whether this share of what the search may trace is traced.
+  /// True if this share of what the search may trace is traced.
   bool is_over(double share) const;
-  /// Units of Work that a pixel of the right picture costs on average.
+  /// The units of Work that a pixel of the right picture costs on average.
   double units_of_pixel() const { return units_of_pixel_; }
-  /// The pixels that count from now on.
+  /// Sets the pixels that count from now on.
   void look_at(const std::vector<PixelPlace>& pixels);
   std::size_t pixels() const { return places_.size(); }
 
-  /// Linear r g b at these pixels, interleaved; not finite where the set cannot be traced.
+  /// Returns linear r g b at these places, interleaved; not finite when the set cannot be traced.
   std::vector<float> colours(const FaultSet& set, const std::vector<PixelPlace>& places) const;
 
-  /// At the first `most` of the pixels, with the best encoding. A set that cannot be traced fits worst.
+  /// Fits a set at the first `most` of the pixels, with the best encoding. One that cannot be traced fits
+  /// worst.
   Fit fit(const FaultSet& set, std::size_t most) const;
-  /// At these pixels, in the fit's encoding: largest difference of each, in levels.
+  /// Returns the largest difference of each of these pixels, in levels, in the fit's encoding.
   std::vector<float> differences_at(const Fit& fit, const std::vector<PixelPlace>& places) const;
-  /// Those of the sets that give the same levels as a fit at all pixels looked at.
+  /// Returns those of the sets that give the same levels as a fit at all pixels that count.
   std::vector<FaultSet> alike(const Fit& fit, const std::vector<FaultSet>& sets) const;
 
-  /// Places spread evenly over the picture: all, where that costs little.
+  /// Places spread evenly over the picture; as many as it has pixels, where that costs little.
   const std::vector<PixelPlace>& survey() const { return survey_; }
-  /// Largest difference of each pixel of the picture, in levels, row by row.
+  /// Returns the largest difference of each pixel of the picture, in levels, row by row.
   std::vector<float> differences(const Fit& fit) const;
 
   std::size_t pixels_of_picture() const { return seen_.size() / 3; }
   int width() const { return job_.width; }
   int height() const { return job_.height; }
   const std::vector<OutputEncoding>& encodings() const { return encodings_; }
-  /// The levels that the picture has at a pixel.
+  /// The levels that the picture has at a pixel: red, green, blue.
   const float* seen(std::size_t pixel) const { return &seen_[3 * pixel]; }
   std::size_t index_of(const PixelPlace& place) const;
   PixelPlace place_of(std::size_t pixel) const;

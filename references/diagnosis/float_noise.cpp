@@ -21,8 +21,8 @@ constexpr double rounded = 0x1p-21;
 /// because more of a shape's size would be seen
 constexpr double most_of_a_shape = 1e-3;
 
-/// By how much float32 moves a sphere, in its own space. The distance counts with its square over the size,
-/// because the discriminant of a small sphere far away is a difference of such squares.
+/// Returns by how much float32 moves a sphere, in its own space. The square of the distance over the size
+/// counts, because the discriminant of a small, far sphere is a difference of such squares.
 double step_of(const Sphere& sphere, const Mat4<double>& world_from_object, const Vec3d& eye) {
   double enlargement = 0;
   for (int axis = 0; axis < 3; ++axis)
@@ -35,8 +35,8 @@ double step_of(const Sphere& sphere, const Mat4<double>& world_from_object, cons
   return std::min(step, most_of_a_shape * size);
 }
 
-/// Along each axis of an object, the largest number that is rounded when rays from these places come into
-/// its space: a face is as exact as its own coordinate and this one, however large the box is.
+/// Returns, along each axis of an object, the largest number that is rounded when rays from these places come
+/// into its space. A face is as exact as its own coordinate and this number, however large the box is.
 Vec3d coordinates_of_rays(const Mat4<double>& object_from_world, const std::vector<Vec3d>& places) {
   Vec3d most(0);
   for (const Vec3d& place : places) {
@@ -48,7 +48,8 @@ Vec3d coordinates_of_rays(const Mat4<double>& object_from_world, const std::vect
   return most;
 }
 
-/// Between -1 and 1, the same for the same number along the same axis: float32 keeps equal what is equal.
+/// Returns a number between -1 and 1. It is the same for equal values along one axis: float32 keeps equal
+/// what is equal.
 double part_of(int number, int axis, double value) {
   std::seed_seq seed{static_cast<std::uint64_t>(number), static_cast<std::uint64_t>(axis),
                      std::bit_cast<std::uint64_t>(value + 0.0) >> 32U,
@@ -77,13 +78,13 @@ void move(Box& box, const Vec3d& coordinates, int number, double share) {
   }
 }
 
-/// Near an edge the least move tells the outcome best.
+/// Returns the share of a step. Near an edge the smallest move shows the outcome best.
 double part_of_step(int number) {
   constexpr double parts[] = {1, 0.1, 0.01};
   return parts[number % 3];
 }
 
-/// Of the worst component of each pixel, relative above 1; infinite where one is no number.
+/// Returns the error of the worst component of each pixel, relative above 1; infinite where one is no number.
 std::vector<float> errors_of(const Image& image, const Image& right) {
   std::vector<float> errors(right.rgb.size() / 3, 0);
   for (std::size_t i = 0; i < right.rgb.size(); ++i) {
@@ -94,14 +95,14 @@ std::vector<float> errors_of(const Image& image, const Image& right) {
   return errors;
 }
 
-/// What nine of ten pixels are not off by.
+/// Returns the error that nine of ten pixels do not exceed.
 float most_common(std::vector<float> errors) {
   const auto nine_of_ten = errors.begin() + static_cast<std::ptrdiff_t>(errors.size() * 9 / 10);
   std::nth_element(errors.begin(), nine_of_ten, errors.end());
   return *nine_of_ten;
 }
 
-/// The largest of a pixel and its neighbours, apart from jumps, which no error is.
+/// Returns the largest error of a pixel and its neighbours, without jumps, which are no errors.
 float largest_about(const std::vector<float>& errors, int width, int height, int x, int y) {
   float largest = 0;
   for (int v = std::max(0, y - 1); v <= std::min(height - 1, y + 1); ++v) {

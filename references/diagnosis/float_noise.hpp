@@ -1,4 +1,4 @@
-// What a right tracer that computes in float32 may be off by.
+// Tells how far a right tracer that computes in float32 may be off.
 #pragma once
 
 #include <vector>
@@ -9,37 +9,38 @@
 
 namespace plumb::references {
 
-/// because another order of the same operations rounds otherwise
+/// So many times an error counts, because another order of the same operations rounds otherwise.
 inline constexpr float other_tracer = 4;
-/// because what float32 is off by more at is another surface or another light
+/// An error is at most this, because what float32 changes by more is another surface or another light.
 inline constexpr float most_of_an_error = 1e-3F;
 
-/// What the colour of each pixel may be off by in float32, relative above 1, row by row.
+/// How far the colour of each pixel may be off in float32, relative above 1, row by row.
 struct FloatErrors {
-  /// Four times what a render in float32 is off by at the pixel or a neighbour, 1e-3 at most: what jumps by
-  /// more is no matter of errors, but of moves.
+  /// Four times what a render in float32 is off by at the pixel or a neighbour, at most 1e-3. What jumps by
+  /// more is a matter of moves, not of errors.
   std::vector<float> measured;
-  /// The same, and at least 1e-6, as `compare` allows, or what most pixels are off by, up to 1e-5.
+  /// The same, but at least four times what nine of ten pixels are below, within 1e-6 (as `compare` allows)
+  /// and 1e-5.
   std::vector<float> allowed;
 };
 
-/// Measured between two renders of the picture, of which `in_double` is one.
+/// Measures between two renders of the picture, one of which is `in_double`.
 FloatErrors float_errors(const Scene& scene, const Camera& camera, const RenderJob& job,
                          const Image& in_double);
 
-/// Scenes that a tracer in float32 cannot tell from a given one, by number: each sphere and each face of a
-/// box is moved by what float32 rounds at its distance, and faces at one coordinate by the same.
+/// Makes scenes that a tracer in float32 cannot tell from a given one, by number. It moves each sphere and
+/// each face of a box by what float32 rounds at its distance, and faces at one coordinate by the same.
 class FloatMoves {
  public:
-  /// The scene's instances are taken apart; see with_instances_apart().
+  /// Takes the scene's instances apart; see with_instances_apart().
   FloatMoves(const Scene& scene, const Camera& camera);
 
-  /// Number 0 moves nothing.
+  /// Returns the scene of that number; number 0 moves nothing.
   Scene moved(int number) const;
 
  private:
   Scene scene_;
-  std::vector<Vec3d> steps_;  // of spheres the step, of boxes what stands beside a face's coordinate
+  std::vector<Vec3d> steps_;  // a sphere's step; for a box, what is rounded beside a face's own coordinate
 };
 
 }  // namespace plumb::references

@@ -19,7 +19,7 @@ Json to_json(const FoundFault& found, int hint) {
   return json;
 }
 
-/// The background has no name.
+/// The background's name is null.
 Json shapes_json(const std::vector<ShapeSeen>& shapes) {
   Json all = Json::array();
   for (const ShapeSeen& shape : shapes)
@@ -27,12 +27,12 @@ Json shapes_json(const std::vector<ShapeSeen>& shapes) {
   return all;
 }
 
-/// Of red, green and blue; floats have none.
+/// Levels of red, green and blue; null for floats.
 Json levels_json(const OutputEncoding& encoding) {
   return encoding.is_float ? Json() : Json(encoding.levels);
 }
 
-/// Floats are not rounded.
+/// Null for floats, which are not rounded.
 Json rounding_json(const OutputEncoding& encoding) {
   return encoding.is_float ? Json() : Json(encoding.rounds ? "round" : "truncate");
 }

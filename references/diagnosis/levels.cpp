@@ -12,7 +12,8 @@ namespace {
 constexpr float most = 255;
 constexpr int channels = 3;
 constexpr int all_levels = 256;
-/// because formats for the screen have at least 5 bits; a picture of fewer levels is seen to be wrong
+/// The fewest levels that are looked for, because formats for the screen have at least 5 bits; a picture of
+/// fewer levels is seen to be wrong.
 constexpr int fewest_levels = 32;
 
 using Values = std::set<float>;
@@ -23,7 +24,7 @@ bool are_whole(const Values& values) {
 }
 
 /// How coarse levels are spread over those of 8 bits: by rounding, by truncation, as the upper bits, or as
-/// these repeated below themselves, so that white stays white.
+/// upper bits that are repeated in the lower ones, so that white stays white.
 enum class Spreading { exact, rounded, truncated, upper_bits, repeated_bits };
 constexpr std::array all_spreadings{Spreading::exact, Spreading::rounded, Spreading::truncated,
                                     Spreading::upper_bits, Spreading::repeated_bits};
@@ -41,7 +42,7 @@ float value_of(int step, int count, Spreading spreading) {
   return static_cast<float>(spreading == Spreading::upper_bits ? upper : upper + upper / count);
 }
 
-/// The step that a value stands for, if it stands for one.
+/// Returns the step that a value stands for, if it does for one.
 std::optional<int> step_of(float value, int count, Spreading spreading) {
   const int guess = static_cast<int>(value / most * static_cast<float>(count - 1));
   for (const int step : {guess - 1, guess, guess + 1, guess + 2}) {
@@ -60,14 +61,15 @@ bool holds_all(const Values& values, int count, Spreading spreading) {
                      [&](float v) { return step_of(v, count, spreading).has_value(); });
 }
 
-/// How likely it is that values that have nothing to do with these levels lie on them. Those of another count
-/// than 8 bits have lie on them to 0.01 of 255; whole ones may lie on any of 256, spread in four ways.
+/// Returns how likely it is that unrelated values lie on these levels. Values that are not whole lie on a
+/// level up to 0.01 of 255; whole ones may lie on any of 256. There are four ways of spreading.
 double by_chance(int count, bool is_whole, double values) {
   const double covered = is_whole ? count / 256.0 : 0.02 * count / most;
   return 4 * all_levels * std::pow(covered, values);
 }
 
-/// The fewest levels that hold all values, unless chance does it, too, with so few different ones.
+/// Returns the fewest levels that hold all values, unless there are so few different values that chance does
+/// it.
 std::optional<Coarse> coarse_levels(const Values& values) {
   const bool is_whole = are_whole(values);
   const auto inner = static_cast<double>(values.size()) - static_cast<double>(values.count(0)) -
@@ -114,8 +116,8 @@ bool is_finite(const float* pixel) {
   return std::isfinite(pixel[0]) && std::isfinite(pixel[1]) && std::isfinite(pixel[2]);
 }
 
-/// Whether the three components are 8 bits each beside the exponent of the largest, as Radiance keeps them,
-/// some read as the middle of their step.
+/// True if the three components have 8 bits each and the exponent of the largest, as Radiance keeps them.
+/// Some readers return the middle of a step.
 bool has_shared_exponent(const float* pixel) {
   const float largest = *std::max_element(pixel, pixel + channels);
   if (!is_finite(pixel) || largest < 0) return false;
@@ -158,7 +160,7 @@ void learn_integers(Sample sample, SeenLevels& seen) {
   put_on_coarse_levels(seen);
 }
 
-/// Whether a channel beside the colours says how they are seen: alpha does, a depth does not.
+/// True if a channel that is no colour says how colours are seen: alpha does, a depth does not.
 bool is_of_the_colours(const ImageFile& seen, std::size_t channel) {
   const std::vector<std::string>& names = seen.contents.channels;
   return names.size() <= channel || names[channel] == "A";

@@ -1,4 +1,4 @@
-// Which levels the values of a picture's file lie on.
+// Finds the levels on which the values of a picture's file lie.
 #pragma once
 
 #include <vector>
@@ -7,14 +7,14 @@
 
 namespace plumb::references {
 
-/// The levels of a picture's colours, interleaved r g b on the scale of 0 to 255, however many there are.
+/// The levels of a picture's colours: interleaved r g b on the scale of 0 to 255, however many there are.
 struct SeenLevels {
   std::vector<float> values;  ///< not finite where the file's are not
-  OutputEncoding read;        ///< levels, floats and what they lose; the rest is for others to find
+  OutputEncoding read;        ///< what is known of levels and floats; others find the rest
 };
 
-/// Pictures of one channel, or two, are grey. Fewer levels than a file's 256 are found where the picture has
-/// so many different values, all on the coarse levels, that chance puts them there once in a million cases.
+/// Pictures of one or two channels are grey. Finds fewer levels than 256 where all values lie on them, and so
+/// many values differ that chance puts them there once in a million cases.
 SeenLevels seen_levels(const ImageFile& seen);
 
 }  // namespace plumb::references

@@ -11,7 +11,7 @@ namespace {
 constexpr float most = 255;
 /// because a curve and a product in float32 lose less than ten units in the last place, 6e-8 each
 constexpr float lost_by_encoding = 1e-6F;
-/// because 255.99 is as common a factor as 256, in 255ths of the step of 256 levels
+/// What a factor may lose, because 255.99 is as common a factor as 256; in 255ths of the step of 256 levels.
 constexpr float lost_by_factor = 0.011F;
 
 float reduced_to_8_bits(float level, Reduced reduced) {
@@ -28,7 +28,7 @@ float reduced_to_8_bits(float level, Reduced reduced) {
   return level;
 }
 
-/// What the exponent of a value in the units of a file, 255 for 1, stands for.
+/// Returns the power of two that is the exponent of a value, in the units of a file: 255 for 1.
 float power_of_two_below(float value) {
   return value > 0 && std::isfinite(value) ? most * std::exp2(std::floor(std::log2(value / most))) : 0;
 }

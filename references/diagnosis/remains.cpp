@@ -16,8 +16,9 @@ namespace {
 constexpr std::size_t channels = 3;
 /// The pixels that encodings are chosen by, evenly spread; all of most pictures.
 constexpr std::size_t most_to_choose_by = 200'000;
-constexpr int moves = 48;  // because an edge that is met in half of the moves is missed in none of 48
-/// Of so many pixels, edges are a part alone: a sample tells whether to prove each, for that takes seconds.
+constexpr int moves = 48;  // because an edge that shows in half of the moves is missed in none of 48
+/// With more pixels than this, edges are only a part: a sample tells whether to prove each, which takes
+/// seconds.
 constexpr std::size_t most_without_sample = 1000;
 constexpr std::size_t size_of_sample = 200;
 constexpr int moves_of_sample = 8;  // because half of the edges show in the first of them
@@ -25,13 +26,13 @@ constexpr double most_units = 6e7;  // of Work: some 1.5 s
 /// because outcomes that are nearer, five levels, are of one surface, and what lies between them may be, too
 constexpr float one_surface = 5.0F / 255;
 
-/// What is left of a pixel's colour in its file.
+/// Tells whether a file can hold a colour at a pixel.
 class Holding {
  public:
   Holding(const Evidence& evidence, const OutputEncoding& encoding)
       : evidence_(evidence), encoding_(encoding) {}
 
-  /// Whether a colour between the two, or off by what float32 rounds, gives what is seen.
+  /// True if a colour between the two, or off by what float32 rounds, gives what is seen.
   bool holds(const float* low, const float* high, std::size_t pixel) const {
     for (std::size_t channel = 0; channel < channels; ++channel) {
       if (!holds(low[channel], high[channel], pixel, channel)) return false;
@@ -39,7 +40,7 @@ class Holding {
     return true;
   }
 
-  /// The largest difference of a channel; all levels where one is no number.
+  /// Returns the largest difference of a channel; all levels where one is no number.
   double levels_off(const float* colour, std::size_t pixel) const {
     const float* const seen = evidence_.seen(pixel);
     float largest = 0;
@@ -67,8 +68,8 @@ class Holding {
     return encoding_.rounded(level + sign * encoding_.slack(level, evidence_.seen(pixel), channel), channel);
   }
 
-  /// A curve makes much of little near 0: there an error is what was measured, or the last digits of a
-  /// colour.
+  /// Returns how far a colour may be off. A curve enlarges small errors near 0, so with a curve only what was
+  /// measured counts there, or the last digits of a colour.
   float error_of(float colour, std::size_t pixel) const {
     constexpr float last_digits = 0x1p-20F;  // because a sum of some terms in float32 is exact but for these
     const float scale = std::max(1.0F, std::abs(colour));
@@ -82,7 +83,7 @@ class Holding {
   const OutputEncoding& encoding_;
 };
 
-/// Beside each encoding, the other way of truncating it; and of fewer levels, the ways by 8 bits.
+/// Adds, to each encoding, the other way of truncating; and with fewer levels, the ways by 8 bits.
 std::vector<OutputEncoding> all_encodings(const Evidence& evidence) {
   std::vector<OutputEncoding> all = evidence.encodings();
   for (const OutputEncoding& encoding : evidence.encodings()) {
@@ -101,12 +102,13 @@ std::vector<OutputEncoding> all_encodings(const Evidence& evidence) {
   return all;
 }
 
-/// Because of 1e9 pixels none outweighs one that is not held.
+/// The cost of a pixel that is held only with float32's error: 1e9 of them do not outweigh one that is not
+/// held.
 constexpr double price_of_error = 1e-10;
 
-/// Of every so many pixels, how many are not within what the encoding holds, and a little for how far they
-/// are off; next to nothing for those that only float32's error puts within it, as in 16 bits that are
-/// rounded or truncated. It is not counted on beyond `most`.
+/// Returns, over evenly spread pixels, the number that the encoding does not hold, plus a little for how far
+/// they are off. Pixels that only float32's error lets it hold cost next to nothing; they tell 16 bits that
+/// are rounded from truncated ones. It stops counting at `most`.
 double cost_of(const Evidence& evidence, const Image& image, const OutputEncoding& encoding, double most) {
   const Holding holding(evidence, encoding);
   const std::size_t pixels = evidence.pixels_of_picture();
@@ -142,9 +144,9 @@ using Outcome = std::array<float, channels>;
 struct Suspect {
   std::size_t pixel;
   std::vector<Outcome> outcomes;
-  std::optional<std::uint64_t> course;  ///< of its rays where nothing is moved
-  bool is_edge = false;                 ///< they may take another
-  bool is_tried = false;                ///< as an edge: the outcomes so far are no proof
+  std::optional<std::uint64_t> course;  ///< of its rays in the scene that is not moved
+  bool is_edge = false;                 ///< its rays may take another course
+  bool is_tried = false;                ///< true once outcomes were tried as a proof of an edge
   bool is_proven = false;
 };
 
@@ -156,7 +158,7 @@ bool are_of_one_surface(const Outcome& a, const Outcome& b) {
   return true;
 }
 
-/// Not a jump: what is off by more is another surface or another light.
+/// True if both are alike but for errors. What is off by more is another surface or another light.
 bool are_of_one_error(const Outcome& a, const Outcome& b) {
   for (std::size_t c = 0; c < channels; ++c) {
     if (!(std::abs(a[c] - b[c]) <= most_of_an_error * std::max(1.0F, std::abs(b[c])))) return false;
@@ -169,7 +171,7 @@ class Proof {
   Proof(const Evidence& evidence, const FaultSet& set, const OutputEncoding& encoding)
       : evidence_(evidence), set_(set), holding_(evidence, encoding) {}
 
-  /// Takes out what is proven.
+  /// Takes out the pixels that are proven.
   void prove(Remains& remains) const {
     std::vector<Suspect> all = suspects(remains.pixels);
     if (all.size() > most_without_sample && !is_mostly_chance(all)) return;
@@ -192,7 +194,7 @@ class Proof {
     return all;
   }
 
-  /// Tells from an even sample.
+  /// Decides by an even sample: true if most pixels are proven.
   bool is_mostly_chance(const std::vector<Suspect>& all) const {
     std::vector<Suspect> sample;
     for (std::size_t i = 0; i < size_of_sample; ++i) sample.push_back(all[i * all.size() / size_of_sample]);
@@ -203,7 +205,7 @@ class Proof {
     return 2 * static_cast<std::size_t>(proven) > size_of_sample;
   }
 
-  /// Where the textbook tracer is off by more than the engine in float32, others may be, too.
+  /// Where the textbook tracer in float32 is off by more than the engine, other tracers may be, too.
   void try_textbook(std::vector<Suspect>& all) const {
     if (!set_.empty()) return;
     const std::vector<float> colours = evidence_.textbook_in_float(places_of(all));
@@ -229,8 +231,8 @@ class Proof {
     }
   }
 
-  /// What is decided by chance deep in a tree of rays shows in float32 alone: whole pictures are rendered,
-  /// and so for a few pixels that are left.
+  /// What chance decides deep in a tree of rays shows in float32 only. This renders complete pictures, so it
+  /// is done when few pixels are left.
   void try_float(std::vector<Suspect>& all) const {
     constexpr int pictures = 6;
     constexpr std::ptrdiff_t few = 64;
@@ -250,7 +252,7 @@ class Proof {
     }
   }
 
-  /// Of those that are not proven.
+  /// Returns the places of those that are not proven.
   std::vector<PixelPlace> places_of(const std::vector<Suspect>& all) const {
     std::vector<PixelPlace> places;
     for (const Suspect& s : all) {
@@ -299,7 +301,7 @@ class Proof {
     }
   }
 
-  /// Whether the pixel holds one of two outcomes, or what lies between them where they are of one surface.
+  /// True if the pixel holds one of two outcomes or, where both are of one surface, what lies between them.
   bool is_between(const Outcome& a, const Outcome& b, std::size_t pixel) const {
     if (holding_.holds(a.data(), a.data(), pixel) || holding_.holds(b.data(), b.data(), pixel)) return true;
     if (!are_of_one_surface(a, b)) return false;

@@ -1,4 +1,4 @@
-// Which pixels of a picture a right tracer, or one with certain faults, cannot have made.
+// Finds the pixels of a picture that a right tracer, or one with certain faults, cannot have made.
 #pragma once
 
 #include <vector>
@@ -7,23 +7,23 @@
 
 namespace plumb::references {
 
-/// Every pixel is within what float32 and its encoding can hold, proven to lie on an edge, or remains.
+/// Each pixel is within what float32 and its encoding can hold, is proven to lie on an edge, or remains.
 struct Remains {
   OutputEncoding encoding;
-  std::vector<std::size_t> pixels;  ///< that remain, row by row
-  std::size_t edges = 0;            ///< proven
+  std::vector<std::size_t> pixels;  ///< those that remain, row by row
+  std::size_t edges = 0;            ///< number of those that are proven
 };
 
-/// Of the picture that these faults give, written so that the fewest pixels remain.
+/// Returns what remains of the picture that these faults give, in the encoding that leaves the fewest pixels.
 ///
-/// A pixel is within what its encoding holds when a colour that is off by no more than float32 makes it, to
-/// the last level. It is proven an edge when the scene, moved by what float32 rounds (see FloatMoves) and
+/// A pixel is within what its encoding holds when a colour that is off by at most float32's error makes it,
+/// to the last level. It is proven an edge when the scene, moved by what float32 rounds (see FloatMoves) and
 /// traced again, sends its rays to another surface or hides another light, and one of the moved scenes, with
-/// the same faults, gives such a colour; or when the engine or the textbook tracer does in float32. Colours
-/// that are not finite are never either.
+/// the same faults, gives such a colour. The engine or the textbook tracer in float32 may prove it, too. A
+/// pixel whose colours are not finite always remains.
 Remains remains_of(const Evidence& evidence, const FaultSet& set);
 
-/// The same without a proof of edges, at these pixels: whether each is within what the encoding holds.
+/// The same at these pixels without a proof of edges: tells of each if it is within what the encoding holds.
 std::vector<bool> within(const Evidence& evidence, const FaultSet& set, const OutputEncoding& encoding,
                          const std::vector<PixelPlace>& places);
 

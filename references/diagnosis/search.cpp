@@ -11,17 +11,19 @@ namespace plumb::references {
 namespace {
 
 constexpr std::size_t beam_width = 4;
-constexpr std::size_t first_beam_width = 10;  // because of several faults each alone explains little
+constexpr std::size_t first_beam_width = 10;  // because each of several faults alone explains little
 constexpr std::size_t most_faults = 7;
-constexpr std::size_t screened = 14;  // of the first look, that are looked at with all pixels
+constexpr std::size_t screened = 14;  // number of sets of the first look that are looked at with all pixels
 constexpr std::size_t telling_of_fault = 3;
-constexpr std::size_t polishing = 200;  // wrong pixels, and right ones, that polishing looks at
-/// because float and double disagree in 0 to 7 pixels of 39 of 40 random pictures of 480 x 320, in 18 of one
+constexpr std::size_t polishing = 200;  // number of wrong pixels, and of right ones, that polishing looks at
+/// Fewest wrong pixels to act on, because float and double disagree in 0 to 7 pixels of 39 of 40 random
+/// pictures of 480 x 320, and in 18 of one.
 constexpr std::size_t least_wrong = 12;
-/// because several faults may be left, each with its share of what is wrong; what float rounded is righted by
-/// none
+/// The share of the wrong pixels that a change must right, because several faults may be left, each with its
+/// share; no fault rights what float rounded.
 constexpr double least_righted = 0.1;
-/// because what is really there spoils nothing but what another fault hides
+/// What a spoilt pixel costs, because a fault that is really there spoils nothing but what another fault
+/// hides.
 constexpr double price_of_spoilt = 10;
 constexpr std::size_t glance = 60;  // pixels, at pairs of faults
 constexpr double most_units = 3e7;  // of Work: some 1 s
@@ -29,7 +31,7 @@ constexpr double nothing_left =
     0.005;                     // because float and double disagree by a level in some of a thousand pixels
 constexpr double looks = 450;  // at all even pixels, in a search for two or three faults
 
-/// How many of the tracers that were read have the fault.
+/// Returns how many of the tracers that were read have the fault.
 int count_of(const Fault& fault) {
   int count = 0;
   std::from_chars(fault.how_common.data(), fault.how_common.data() + fault.how_common.size(), count);
@@ -50,7 +52,7 @@ class Search {
     look_again(beam);
     const std::size_t wrong = wrong_at(beam.front()).size();
     if (beam.front().misfit <= nothing_left || wrong < least_wrong) return beam.front();
-    // What is all but right has few faults: a right picture is to be told in 2 s.
+    // A picture that is nearly right has few faults, and a right one has to be recognised in 2 s.
     if (wrong < evidence_.survey().size() / 200) budget_ = 0.25;
     learn_effects({});
     look_again(beam);
@@ -61,7 +63,8 @@ class Search {
       learn_effects(view->set);
       keep_better(polished(climbed({*view})), best);
     }
-    // Of two faults that hide each other none is found alone: pairs are tried, first beside nothing.
+    // When two faults hide each other, neither is found alone. So pairs are tried, first without other
+    // faults.
     share_ = 0.85;
     for (FaultSet beside{}; best.misfit > nothing_left && !is_over(); beside = best.set) {
       if (!beside.empty()) learn_effects(beside);
@@ -84,8 +87,9 @@ class Search {
     return is_better;
   }
 
-  /// One fault with which the right points are seen in most pixels, if it tells so better than the best: of a
-  /// wrong view the colours are looked for from there, because other faults are seen in other places.
+  /// Returns the one fault with which most pixels show the right points, if it is clearly better in this than
+  /// the best fit. With a wrong view the colours are then searched from there, because other faults show in
+  /// other places.
   std::optional<Fit> best_view(const Fit& best) const {
     constexpr double clear = 0.1;  // because chance moves the coefficient by 1 / sqrt(pixels), 0.04
     std::optional<Fit> found;
@@ -97,17 +101,17 @@ class Search {
     return found;
   }
 
-  /// The best set that is reached by one more fault at a time, refined.
+  /// Returns the best set that is reached by adding one fault at a time, refined.
   Fit climbed(std::vector<Fit> beam) {
     Fit best = beam.front();
-    // Of two faults that spoil the same pixels neither alone need bring a gain: one more level is tried.
+    // When two faults spoil the same pixels, neither alone need bring a gain. So one more level is tried.
     for (int patience = 2;
          patience > 0 && !is_over() && best.misfit > nothing_left && beam.front().set.size() < most_faults;) {
       std::vector<Fit> next = expanded(beam);
       if (next.empty()) break;
       beam = std::move(next);
       const bool gains = beam.front().misfit < best.misfit - gain_of(beam.front(), best);
-      if (gains) learn_effects(beam.front().set);  // a fault may be seen beside another alone
+      if (gains) learn_effects(beam.front().set);  // a fault may show only beside another
       look_again(beam);
       patience = gains ? 2 : patience - 1;
       best = gains ? beam.front() : evidence_.fit(best.set, evidence_.pixels());
@@ -115,8 +119,8 @@ class Search {
     return refined(best);
   }
 
-  /// A few pixels for each fault that it changes in the picture of this set: highlights and shadows are
-  /// small, and evenly spread pixels may miss them.
+  /// Learns a few telling pixels for each fault, where it changes the picture of this set. Highlights and
+  /// shadows are small, and evenly spread pixels may miss them.
   void learn_effects(const FaultSet& beside) {
     const std::vector<PixelPlace> places =
         textbook::spread_pixels(evidence_.width(), evidence_.height(), 2 * even_);
@@ -141,7 +145,7 @@ class Search {
     }
   }
 
-  /// Telling pixels, even pixels, and as many of those that the best does not explain.
+  /// Looks at telling pixels, even pixels, and as many of those that the best fit does not explain.
   void look_again(std::vector<Fit>& beam) {
     std::vector<PixelPlace> places = textbook::spread_pixels(evidence_.width(), evidence_.height(), even_);
     evidence_.look_at(places);
@@ -152,7 +156,7 @@ class Search {
       if (differences[i] > 1) open.push_back(evidence_.survey()[i]);
     }
     const std::size_t wanted = std::min(open.size(), even_ / 2);
-    // Turn about, so that the first part of the places has all kinds.
+    // The kinds alternate, so that each first part of the places has all of them.
     std::vector<PixelPlace> mixed;
     for (std::size_t i = 0; i < std::max(places.size(), telling_.size()); ++i) {
       if (i < telling_.size()) mixed.push_back(telling_[i]);
@@ -173,7 +177,7 @@ class Search {
     return gain;
   }
 
-  /// Misfit and what the faults cost, by which sets of different sizes are compared.
+  /// Returns the misfit plus what the faults cost. It compares sets of different sizes.
   static double cost(const Fit& fit) {
     double cost = fit.misfit;
     for (const std::size_t fault : fit.set) cost += least_gain(fault_catalogue()[fault], 0);
@@ -183,7 +187,7 @@ class Search {
     std::stable_sort(fits.begin(), fits.end(), [](const Fit& a, const Fit& b) { return cost(a) < cost(b); });
   }
 
-  /// All sets with one fault more, the best few of them. Only faults that change the right picture.
+  /// Returns the best few of all sets with one fault more. It adds only faults that change the right picture.
   std::vector<Fit> expanded(const std::vector<Fit>& beam) const {
     std::set<FaultSet> tried;
     std::vector<Fit> fits;
@@ -198,8 +202,8 @@ class Search {
     return best_of(std::move(fits), beam.front().set.empty() ? first_beam_width : beam_width);
   }
 
-  /// The most promising pairs of faults to add: of two that hide each other, as of brightness and of ambient
-  /// light, each alone makes it worse.
+  /// Returns the sets with the most promising pairs of faults added. When two faults hide each other, like
+  /// those of brightness and of ambient light, each alone makes it worse.
   std::vector<Fit> pairs(const FaultSet& beside) const {
     const auto is_free = [&](std::size_t fault) {
       return has_effect_[fault] && !std::binary_search(beside.begin(), beside.end(), fault);
@@ -218,23 +222,23 @@ class Search {
 
   std::size_t first_look() const { return evidence_.pixels() / 5; }
 
-  /// Of fits to the pixels of the first look.
+  /// Returns the best of fits to the pixels of the first look.
   std::vector<Fit> best_of(std::vector<Fit> fits, std::size_t most) const {
     fits = leading(std::move(fits), screened);
     for (Fit& fit : fits) fit = evidence_.fit(fit.set, evidence_.pixels());
     return leading(std::move(fits), most);
   }
 
-  /// Of sorted fits those that are as good as a cheaper one to the last digit: a fault without effect beside
-  /// others.
+  /// Drops, from sorted fits, those that are as good as a cheaper one to the last digit: they have a fault
+  /// that has no effect beside the others.
   static void drop_without_effect(std::vector<Fit>& fits) {
     std::set<std::pair<double, double>> known;
     const auto is_known = [&](const Fit& fit) { return !known.insert({fit.misfit, fit.association}).second; };
     fits.erase(std::remove_if(fits.begin(), fits.end(), is_known), fits.end());
   }
 
-  /// Those that fit best, best first, and a third as many that see the right points, as far as one can tell:
-  /// of a wrong view and wrong colours neither fits while the other is wrong.
+  /// Returns the fits that fit best, best first, and a third as many that seem to see the right points. With
+  /// a wrong view and wrong colours, neither fits while the other is wrong.
   static std::vector<Fit> leading(std::vector<Fit> fits, std::size_t most) {
     sort(fits);
     drop_without_effect(fits);
@@ -245,7 +249,7 @@ class Search {
     return fits;
   }
 
-  /// Takes out what is not needed, and exchanges what another fault does better.
+  /// Takes out what is not needed, and exchanges faults for those that do better.
   Fit refined(Fit best) const {
     for (bool improves = true; improves && !is_over();) {
       improves = false;
@@ -270,7 +274,7 @@ class Search {
     return wrong;
   }
 
-  /// What a few pixels tell, because nothing else is left: faults that are seen nowhere else.
+  /// Uses what a few pixels tell when nothing else is left: faults that show nowhere else.
   Fit polished(Fit best) const {
     for (int round = 0; round < 4 && !is_over(1); ++round) {
       const std::vector<float> differences = evidence_.differences_at(best, evidence_.survey());
@@ -288,13 +292,13 @@ class Search {
     return needed(best);
   }
 
-  /// Without the faults that right no more pixels than float rounds.
+  /// Returns the fit without the faults that right no more pixels than float rounds.
   Fit needed(Fit best) const {
     constexpr double rounded_pixels = least_wrong;
     const double rounded = rounded_pixels / static_cast<double>(evidence_.pixels_of_picture());
     double right = share_right(best, evidence_.survey());
     for (std::size_t i = 0; i < best.set.size();) {
-      // In its own encoding: tone-mapped in the program or in the file, the picture is the same.
+      // Each in its own encoding: tone-mapped in the program or in the file, the picture is the same.
       const Fit less = evidence_.fit(without(best.set, best.set[i]), evidence_.pixels());
       const double still_right = share_right(less, evidence_.survey());
       if (still_right >= right - rounded) {
@@ -307,7 +311,7 @@ class Search {
     return evidence_.fit(best.set, evidence_.pixels());
   }
 
-  /// As many as a few hundred sets may be tried at.
+  /// Returns so many of these places that a few hundred sets can be tried there.
   std::vector<PixelPlace> some_of(const std::vector<PixelPlace>& places) const {
     constexpr double sets = 300;
     std::vector<PixelPlace> some;
@@ -317,7 +321,7 @@ class Search {
     return some;
   }
 
-  /// Of these sets the one that rights most of the wrong pixels, less what it spoils; else the best.
+  /// Returns the set that rights most of the wrong pixels, less what it spoils; the best fit if none does.
   Fit changed(const Fit& best, const std::vector<FaultSet>& sets, const std::vector<PixelPlace>& wrong,
               const std::vector<PixelPlace>& right, double right_of_wrong) const {
     Fit found = best;
@@ -340,7 +344,8 @@ class Search {
     return static_cast<double>(right) / static_cast<double>(std::max<std::size_t>(1, places.size()));
   }
 
-  /// Faults without effect at the pixels looked at, too, where a few others count.
+  /// Returns sets with one fault more; if `is_any`, with faults that have no effect at the pixels looked at,
+  /// too.
   std::vector<FaultSet> one_more(const FaultSet& set, bool is_any) const {
     std::vector<FaultSet> sets;
     for (std::size_t fault = 0; fault < fault_catalogue().size(); ++fault) {
@@ -368,17 +373,17 @@ class Search {
 
   Evidence& evidence_;
   std::size_t even_;
-  double share_ = 0.4;  // of the work, for what is done now: some is left for pairs, and for polishing
+  double share_ = 0.4;  // of the work, for the current step; some is left for pairs and for polishing
   double budget_ = 1;   // of all the work
-  std::vector<bool> has_effect_;  // of the faults
+  std::vector<bool> has_effect_;  // for each fault
   std::vector<PixelPlace> telling_;
 };
 
 }  // namespace
 
 double least_gain(const Fault& fault, double before) {
-  // because float and double disagree by one level in some pixels of a thousand, ln 2 each; a rare fault
-  // needs more evidence than one that most tracers have
+  // because float and double disagree by one level in some pixels of a thousand, which is ln 2 each. A rare
+  // fault needs more evidence than one that most tracers have.
   return 0.001 + 0.002 / (1 + count_of(fault)) + 0.01 * before;
 }
 

@@ -5,13 +5,13 @@
 
 namespace plumb::references {
 
-/// The set that fits best for the least faults: a beam search that adds a fault at a time, then exchanges and
-/// takes out. Looks at pixels spread evenly, and at those that are not explained yet. Leaves `evidence`
-/// looking at the last of these. How many they are follows from what a pixel costs, so that the time stays
-/// about the same.
+/// Returns the set that fits best with the fewest faults. A beam search adds one fault at a time, then
+/// exchanges and takes out. It looks at pixels that are spread evenly, and at those that are not yet
+/// explained; it leaves `evidence` looking at the last of these. How many they are follows from the cost of a
+/// pixel, so that the time stays about the same.
 Fit explain(Evidence& evidence);
 
-/// What a fault has to improve the misfit by to be believed, next to a set that has the misfit `before`.
+/// Returns by how much a fault must improve a misfit of `before` to be believed.
 double least_gain(const Fault& fault, double before);
 
 }  // namespace plumb::references
