@@ -51,7 +51,7 @@ Mat4<double> matrix_with(const Vec3d& eye, const Vec3d& direction, const Vec3d& 
   return matrix;
 }
 
-/// The field of view that puts the plane, measured in pixels, at the whole number below its distance.
+/// Truncates the distance of the plane, measured in pixels, by a field of view that gives that distance.
 void truncate_distance(Subject& s) {
   const double pixels = s.job.width * formulas::image_plane_distance(s.camera.fov_x_degrees);
   const double whole = std::max(1.0, std::floor(pixels));

@@ -68,7 +68,7 @@ std::vector<float> colours_with(const Scene& scene, const Camera& camera, const 
     for (std::size_t i = 0; i < places.size(); ++i) trace(places[i], &colours[3 * i]);
     return colours;
   }
-  // What is done to a picture may move pixels: those that they may come from are traced, too.
+  // What faults do to a picture may move pixels, so those where they may come from are traced, too.
   Image image(job.width, job.height);
   for (const auto& [x, y] : places) {
     for (const PixelPlace from :

@@ -1,4 +1,4 @@
-// The mistakes that people make in their ray tracers, each as one change of the textbook tracer.
+// The mistakes that people make in their ray tracers. Each is one change of the textbook tracer.
 #pragma once
 
 #include <string_view>
@@ -13,7 +13,7 @@
 
 namespace plumb::references {
 
-/// A render that is still to be done: what faults change.
+/// A render that is still to be done, as faults change it.
 struct Subject {
   Scene scene;
   Camera camera;
@@ -21,34 +21,34 @@ struct Subject {
   textbook::FormulaTable<double> formulas;
 };
 
-/// One mistake. Of two faults that replace the same formula the later one counts; pixel-corner goes together
-/// with those of the aspect.
+/// One mistake. When two faults replace one formula, the later one counts. pixel-corner goes together with
+/// the faults of the aspect.
 struct Fault {
   std::string_view id;           ///< lower case, words joined by -
-  int catalogue;                 ///< its entry in the catalogue of faults of real tracers, 1..45
+  int catalogue;                 ///< its number in the catalogue of faults of real tracers, 1 to 45
   std::string_view slide;        ///< of the lecture; "Decision" where it is silent
   std::string_view explanation;  ///< one sentence
   std::string_view wrong;        ///< formula
   std::string_view right;        ///< formula
-  std::string_view how_common;   ///< "38 of 42" tracers whose source was read
+  std::string_view how_common;   ///< "38 of 42" of the tracers whose source was read
   std::string_view shown_by;     ///< a scene of tests/scenes that it changes by much
-  void (*apply)(Subject&);       ///< a formula, or the scene before the render; may be null
-  void (*after)(Image&);         ///< the picture after the render; may be null
+  void (*apply)(Subject&);       ///< changes a formula, or the scene before the render; may be null
+  void (*after)(Image&);         ///< changes the picture after the render; may be null
 };
 
-/// All faults, in the order of the catalogue.
+/// Returns all faults, in the order of the catalogue.
 const std::vector<Fault>& fault_catalogue();
 
-/// The fault of that id, or null.
+/// Returns the fault of that id, or null.
 const Fault* find_fault(std::string_view id);
 
-/// Renders with all these faults at once, in double whatever the job says; without any, what render() gives.
-/// A fault may give colours that are not finite.
+/// Renders with all these faults at once, in double whatever the job says. Without any it gives what render()
+/// gives. Colours may not be finite.
 Image render_with(const Scene& scene, const Camera& camera, const textbook::RenderJob& job,
                   const std::vector<const Fault*>& faults);
 
-/// The same at these pixels alone: r g b of each, interleaved. A pixel with more than `most_rays_of_pixel`
-/// rays is not a number. What it costs is taken from `work`.
+/// Renders these pixels alone: r g b of each, interleaved. A pixel with more than `most_rays_of_pixel` rays
+/// is not a number. Takes its cost from `work`.
 std::vector<float> colours_with(const Scene& scene, const Camera& camera, const textbook::RenderJob& job,
                                 const std::vector<const Fault*>& faults,
                                 const std::vector<PixelPlace>& places, textbook::Work& work);

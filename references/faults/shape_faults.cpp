@@ -19,7 +19,8 @@ OptionalHit without_origin(const Ray<double>& ray, const Corners<double>& box, F
   return formulas::intersect_box(Ray<double>{Vec3d(0), ray.direction}, box, start);
 }
 
-/// The first face, in the order x y z, whose plane the hit point is on exactly; the last one if none is.
+/// Returns the first face, in the order x y z, whose plane holds the hit point exactly; the last one if none
+/// does.
 OptionalHit face_by_equality(const Ray<double>& ray, const Corners<double>& box, Face start) {
   const auto hit = formulas::intersect_box(ray, box, start);
   if (!hit) return hit;

@@ -13,10 +13,10 @@ using Steps = std::vector<TransformStep>;
 
 Placed of_step(const TransformStep& step) { return plumb::transform_of<double>(Steps{step}); }
 
-/// M and its inverse, by numbers: for matrices that no longer are products of known ones.
+/// Inverts numerically, for matrices that are no products of known ones any more.
 Placed inverted(const Mat4<double>& matrix) { return {matrix, glm::inverse(matrix)}; }
 
-/// The transform of steps of which the rotations are changed by `change`.
+/// Returns the transform of steps whose rotations `change` has changed.
 template <auto change>
 Placed with_rotations(const Steps& steps) {
   Steps changed = steps;
@@ -45,7 +45,7 @@ Placed inverse_in_wrong_order(const Steps& steps) {
   return all;
 }
 
-/// The sum's last row is made 0 0 0 1 again: points are not divided by their w.
+/// Makes the last row of the sum 0 0 0 1 again, because points are not divided by their w.
 Placed translations_added(const Steps& steps) {
   Mat4<double> sum(1);
   for (const TransformStep& step : steps) {
@@ -72,7 +72,7 @@ Vec3d mapped_back(const formulas::HitInTwoSpaces<double>& hit) {
   return formulas::transform_point(hit.parent_from_object.matrix, hit.object_point);
 }
 
-/// Normalised as four numbers, of which the fourth is what the translation left there.
+/// Normalises as four numbers, the fourth of which is what the translation left there.
 Vec3d normal_with_w(const Mat4<double>& inverse, const Vec3d& n) {
   const Vec3d moved = formulas::transform_normal(inverse, n);
   const double w = glm::dot(Vec3d(inverse[3]), n);
