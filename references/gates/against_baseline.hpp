@@ -1,4 +1,4 @@
-// One image against its baseline, within bounds.
+// Compares one image with its baseline, within bounds.
 #pragma once
 
 #include "references/gates/bounds.hpp"
@@ -6,7 +6,7 @@
 
 namespace plumb::references {
 
-/// Both of one size.
+/// An image and its baseline, of one size.
 struct BaselineJob {
   const Image& baseline;
   const Image& image;
@@ -20,7 +20,7 @@ struct BaselineJob {
 BoundedComparison judge_own(const Shot& shot, const Resolution& resolution, const BaselineJob& job,
                             SceneResult& result);
 
-/// The same for somebody else's image: nothing is known of how its pixels are made, so none is explained.
+/// The same for somebody else's image. Nothing is known of how its pixels are made, so none is explained.
 BoundedComparison judge_others(const BaselineJob& job, SceneResult& result);
 
 }  // namespace plumb::references

@@ -30,7 +30,7 @@ std::string now() {
   return text;
 }
 
-/// What of a path that leads into the directory comes after it; other text as it stands.
+/// Returns the part of a path behind the directory, if the path leads into it; else the text as it stands.
 std::string part_within(const std::string& text, const std::string& directory) {
   const fs::path path(text);
   const fs::path lexical = path.lexically_normal().lexically_relative(fs::path(directory).lexically_normal());
@@ -41,7 +41,7 @@ std::string part_within(const std::string& text, const std::string& directory) {
   return (real / path.filename()).lexically_normal().string();
 }
 
-/// The scene, or the baseline without one, that the text names.
+/// Returns the name of the scene, or of the baseline without a scene, that the text means.
 std::string name_meant(const std::string& text, const std::string& directory,
                        const std::vector<std::string>& known) {
   const std::string within = part_within(text, directory);
@@ -55,7 +55,7 @@ std::string name_meant(const std::string& text, const std::string& directory,
                               (nearest ? "; did you mean '" + *nearest + "'?" : ""));
 }
 
-/// What renders the image, in the directory of the scenes.
+/// Returns the command that renders the image, in the directory of the scenes.
 std::string command_of(const std::string& name, const RegressOptions& options,
                        const ApprovalRequest& request) {
   if (options.other) return options.other->facts().name;
@@ -78,7 +78,7 @@ Baseline record_of(const std::string& path, const std::string& name, const Regre
   return record;
 }
 
-/// A damaged image is approved anew.
+/// True if the baseline holds this image. A damaged one does not, so it is approved anew.
 bool holds(const Baselines& baselines, const Baseline& record, const Image& image) {
   try {
     const Image approved = baselines.load(record);
@@ -88,7 +88,7 @@ bool holds(const Baselines& baselines, const Baseline& record, const Image& imag
   }
 }
 
-/// Who approved this very image of this very scene before; empty when nobody did.
+/// Says who approved this very image of this very scene before; empty when nobody did.
 std::string approved_before(const ApprovedImages& approved, const Baseline& record, const Image& image) {
   const auto found = approved.find(record.name);
   if (!found) return {};

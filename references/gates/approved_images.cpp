@@ -16,7 +16,7 @@ std::optional<ApprovedImages::Found> ApprovedImages::find(const std::string& nam
   if (variant_) {
     if (const Baseline* const record = variant_->baselines.find(name))
       return Found{&variant_->baselines, record};
-    // An image without its record is for the caller to complain about.
+    // An image without its record is an error that the caller reports.
     if (std::filesystem::exists(variant_->baselines.image_path(name))) return std::nullopt;
   }
   const Baseline* const record = plain_.baselines.find(name);

@@ -1,4 +1,4 @@
-// The baselines that a scene is compared with: those of a variant, and the plain ones where it has none.
+// The baselines that a scene is compared with: those of a variant, or the plain ones where it has none.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,8 @@ namespace plumb::references {
 
 class ApprovedImages {
  public:
-  /// An empty variant is the plain baselines. Throws std::runtime_error when records or bounds are damaged.
+  /// An empty variant means the plain baselines. Throws std::runtime_error when records or bounds are
+  /// damaged.
   ApprovedImages(const std::string& directory, const std::string& variant);
 
   struct Found {
@@ -20,16 +21,17 @@ class ApprovedImages {
     const Baseline* record;
   };
   std::optional<Found> find(const std::string& name) const;
-  /// Whether the baseline is that of the variant, when there is one, and not the plain one.
+  /// True if the baseline is that of the variant (or the plain one, without a variant).
   bool has_own(const std::string& name) const;
-  /// Of all of them, sorted.
+  /// Returns the names of all of them, sorted.
   std::vector<std::string> names() const;
-  /// Where an image is, or would be, of the variant if it is there.
+  /// Returns where an image is, or would be: that of the variant if it exists, else the plain one.
   std::string image_path(const std::string& name) const;
 
-  /// What bounds.json, that of the variant before the plain one, says of the scene.
+  /// Returns `usual` with what bounds.json says of the scene: the plain file first, then the variant's in
+  /// place of it.
   Bounds bounds_of(const std::string& name, const Bounds& usual) const;
-  /// About bounds of scenes that are not among these; empty when there are none.
+  /// Complains of bounds for scenes that are not among these; empty when there are none.
   std::string complaint_about_bounds(const std::vector<std::string>& scenes) const;
 
  private:

@@ -18,7 +18,7 @@ std::string variable(const char* name) {
   return value == nullptr ? "" : value;
 }
 
-/// What leads git to its configuration.
+/// Returns the variables that lead git to its configuration.
 std::vector<std::string> environment_of_git() {
   std::vector<std::string> all;
   for (char** at = environ; *at != nullptr; ++at) {
@@ -29,7 +29,7 @@ std::vector<std::string> environment_of_git() {
   return all;
 }
 
-/// Empty without git, without the key, or when git takes too long.
+/// Returns an empty text without git, without the key, or when git takes too long.
 std::string configured(const std::string& directory, const std::string& key) {
   const std::string git = find_program("git");
   if (git.empty()) return {};

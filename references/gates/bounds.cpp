@@ -18,7 +18,7 @@ std::string size_text(int width, int height) {
   return std::to_string(width) + " x " + std::to_string(height) + " pixels";
 }
 
-/// The whole numbers between the commas; none when there is anything else.
+/// Returns the whole numbers between the commas, or none when there is anything else.
 std::vector<int> whole_numbers(const std::string& text) {
   std::vector<int> numbers;
   const char* const end = text.data() + text.size();
@@ -32,7 +32,7 @@ std::vector<int> whole_numbers(const std::string& text) {
   }
 }
 
-/// Nobody calls a picture so.
+/// True for a text that can only be meant as numbers: nobody gives a picture such a name.
 bool looks_like_numbers(const std::string& text) {
   return text.find_first_not_of("0123456789,;.+- xX") == std::string::npos;
 }
@@ -51,7 +51,7 @@ void set_rectangle(PixelMask& mask, const Region& region, int width, int height,
   mask.set(*region.rectangle, counts);
 }
 
-/// Alpha is no colour: in an opaque mask nothing would be black.
+/// Returns the number of colours. Alpha is none: with it, nothing in an opaque mask would be black.
 int colour_channels(int channels) { return channels == 2 ? 1 : std::min(channels, 3); }
 
 void set_row(PixelMask& mask, const Region& region, const PixelRows& rows, int y, bool counts) {

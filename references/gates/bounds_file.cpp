@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Of two equal keys the library keeps the last one silently.
+/// Refuses two equal keys, of which the library would silently keep the last.
 Json parsed(const std::string& path) {
   std::vector<std::set<std::string>> open;
   const auto refuse_twins = [&](int, Json::parse_event_t event, const Json& value) {
@@ -36,7 +36,7 @@ Json parsed(const std::string& path) {
 
 bool is_blank(const std::string& text) { return text.find_first_not_of(" \t\r\n") == std::string::npos; }
 
-/// What a file says wrongly is no error of the command line.
+/// Turns an error of the command line into one of the file.
 auto in_file(const auto& parse) {
   try {
     return parse();

@@ -11,7 +11,7 @@
 
 namespace plumb::references {
 
-/// An object whose keys are names of scenes or pictures, e.g.
+/// The file is an object whose keys are names of scenes or pictures, e.g.
 ///     {"glass": {"allow_over": "0.1%", "ignore": ["0,0,64,16"], "because": "the clock is drawn there"}}
 /// allow_over, relative, tolerance, ignore and only are as on the command line; "because" must be there.
 class BoundsFile {
@@ -22,13 +22,13 @@ class BoundsFile {
   /// name and key, when it is not as above.
   explicit BoundsFile(const std::string& directory);
 
-  /// `usual`, with what the file says of this name in place of it; its regions are added.
+  /// Returns `usual`, with what the file says of this name in its place; the file's regions are added.
   Bounds bounds_of(const std::string& name, const Bounds& usual) const;
 
-  /// The mask images of all entries.
+  /// Returns the mask images of all entries.
   std::vector<std::string> mask_paths() const;
 
-  /// A complaint about bounds of what is not among these names; empty when there are none.
+  /// Complains of bounds for what is not among these names; empty when there are none.
   std::string complaint_about_others(const std::vector<std::string>& names) const;
 
  private:

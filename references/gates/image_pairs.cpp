@@ -41,7 +41,7 @@ bool is_left_out(const fs::path& path, const std::vector<std::string>& left_out)
                      [&](const std::string& each) { return fs::equivalent(path, each, ignored); });
 }
 
-/// A pipe that nobody writes to would never end.
+/// True for pipes and the like. A pipe that nobody writes to would never end.
 bool is_no_file(const fs::path& path) {
   std::error_code ignored;
   return fs::is_other(path, ignored);

@@ -1,4 +1,4 @@
-// Regression gates: the scenes of a directory against the images that were approved for them.
+// Regression gates: compares the scenes of a directory with the images that were approved for them.
 #pragma once
 
 #include <functional>
@@ -32,20 +32,20 @@ struct UsedBounds {
   BoundedComparison comparison;
 };
 
-/// One scene, or one baseline whose scene is gone. `differ`: the images differ or there is no baseline yet.
-/// `error`: it could not be judged.
+/// One scene, or one baseline whose scene is gone. `differ` means that the images differ or there is no
+/// baseline yet, `error` that it could not be judged.
 struct RegressedScene {
   std::string name;
   SceneResult result;
   double seconds = 0;            ///< on the clock
   bool can_be_approved = false;  ///< an update makes it agree
   std::optional<UsedBounds> bounds;
-  std::optional<Image> image;  ///< both only while `done` runs, where they could be had
+  std::optional<Image> image;  ///< both only while `done` runs, and where they could be had
   std::optional<Image> baseline;
 };
 
-/// Each scene, then each baseline whose scene is gone. One bad scene never stops the others; throws
-/// std::runtime_error when there is no scene or when the records of the baselines or the bounds are damaged.
+/// Checks each scene, then each baseline whose scene is gone. One bad scene never stops the others. Throws
+/// std::runtime_error when there is no scene, or when records or bounds are damaged.
 std::vector<RegressedScene> regress(const std::string& directory, const RegressOptions& options,
                                     const std::function<void(const RegressedScene&)>& done);
 
@@ -53,7 +53,7 @@ std::vector<RegressedScene> regress(const std::string& directory, const RegressO
 Rendered rendered(const std::string& scene_path, const RegressOptions& options,
                   const std::function<void(const std::string&)>& warn = {});
 
-/// How many pixels are not finite, and the first of them; empty when all are.
+/// Returns how many pixels are not finite, and the first of them; empty when all are finite.
 std::string non_finite_pixels(const Image& image);
 
 }  // namespace plumb::references

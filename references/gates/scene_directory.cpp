@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Walks directories before links to them, so that a scene has the name of the place where it lies.
+/// Walks directories before links to them, so that a scene is named after the place where it lies.
 class Walk {
  public:
   explicit Walk(const fs::path& top) : top_(top) {}

@@ -58,7 +58,7 @@ struct SceneResult {
   double seconds_reference = 0;        ///< of CPU time, when it was rendered
   bool cached = false;                 ///< or stored: the reference was not rendered now
   bool stored = false;
-  std::shared_ptr<const Pictures> pictures;  ///< when they are kept, and it was rendered
+  std::shared_ptr<const Pictures> pictures;  ///< when they are kept and both sides were rendered
 };
 
 /// Compares the pictures, attributes every pixel over, and sets the figures and the status; where there is a
@@ -77,8 +77,8 @@ struct VerifyReport {
   int exit_code() const;
 };
 
-/// One bad scene never stops the others. `done` is called in the order of the scenes, from one thread at a
-/// time.
+/// Verifies all scenes. One bad scene never stops the others. `done` is called in the order of the scenes, by
+/// one thread at a time.
 VerifyReport verify(const std::vector<std::string>& scenes, const VerifyOptions& options,
                     const std::function<void(SceneResult&)>& done);
 
