@@ -1,4 +1,4 @@
-// The approved picture of one scene.
+// Gives the approved picture of one scene as a renderer does.
 #pragma once
 
 #include "references/renderers/baselines.hpp"
@@ -6,17 +6,17 @@
 
 namespace plumb::references {
 
-/// Its resolution is that of plumb, be the picture made on this machine or on another one; it is not known
-/// where somebody else's renderer made it.
+/// Its resolution is that of plumb, whichever machine made the picture. It is not known when somebody else's
+/// renderer made it.
 class BaselineRenderer : public Renderer {
  public:
   /// Both must outlive it.
   BaselineRenderer(const Baselines& baselines, const Baseline& record);
 
-  /// Of the plumb that approved it.
+  /// Returns the version of the plumb that approved it.
   std::string version() const override { return record_.version; }
 
-  /// The approved picture, in the size that it was approved in.
+  /// Returns the approved picture, in the size that it was approved in.
   Rendered render(const Shot& shot) const override;
 
  private:

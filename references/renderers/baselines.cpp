@@ -38,7 +38,7 @@ Json to_json(const Baseline& b) {
   return json;
 }
 
-/// Relative, and within the directory that it is in.
+/// True if the name is relative and stays within its directory.
 bool is_within(const fs::path& name) {
   return !name.empty() && name.is_relative() && name == name.lexically_normal() && *name.begin() != "..";
 }
@@ -66,7 +66,7 @@ Baseline from_json(const Json& json) {
   return b;
 }
 
-/// In its place by name, instead of one of that name.
+/// Puts an entry into its place by name, where it replaces one of that name.
 void put(std::vector<Baseline>& entries, Baseline entry) {
   const auto at = std::lower_bound(entries.begin(), entries.end(), entry.name,
                                    [](const Baseline& b, const std::string& name) { return b.name < name; });
@@ -179,7 +179,7 @@ void BaselineUpdate::commit() {
     return std::find(gone_.begin(), gone_.end(), b.name) != gone_.end();
   });
   write_file(aside_.path() + records_name, text_of(entries, directory_));
-  // All that can fail for want of space has happened; the rest is renames, and no signal comes between them.
+  // All that can fail for lack of space has happened. The rest is renames, and no signal comes between them.
   const HeldSignals held;
   for (const Baseline& record : added_) {
     const std::string file = "/" + record.name + ".exr";

@@ -11,7 +11,8 @@ namespace plumb::references {
 
 class Cache {
  public:
-  /// In $PLUMB_CACHE, or plumb in $XDG_CACHE_HOME or ~/.cache. Nothing is made until something is stored.
+  /// Lies in $PLUMB_CACHE, or in plumb in $XDG_CACHE_HOME or ~/.cache. Makes nothing until something is
+  /// stored.
   Cache();
   explicit Cache(std::string directory) : directory_(std::move(directory)) {}
 
@@ -21,14 +22,14 @@ class Cache {
   /// throws when it is absent or does not tell.
   std::string version_of(const ProgramRenderer& renderer) const;
 
-  /// Nothing when there is no entry, or a damaged one: every entry carries a hash of its own bytes.
+  /// Returns nothing when there is no entry, or a damaged one: every entry carries a hash of its own bytes.
   std::optional<Rendered> find(const ExportedShot& shot, const std::string& version) const;
 
   /// A cache that cannot be written (a full disk, say) is no error: the next run renders again, and
-  /// complaint() tells of it.
+  /// complaint() says so.
   void store(const ExportedShot& shot, const std::string& version, const Rendered& picture) const;
 
-  /// Where the entry of a shot is, or would be.
+  /// Returns where the entry of a shot is, or would be.
   std::string entry_path(const ExportedShot& shot, const std::string& version) const;
 
   /// What could not be written first, why, and what to do about it; empty when all could. `title` is the
@@ -44,7 +45,7 @@ class Cache {
   mutable std::string trouble_;  // the first
 };
 
-/// Most bytes that a cache keeps; the entries used least recently go first.
+/// The most bytes that a cache keeps. The entries that were used least recently go first.
 inline constexpr unsigned long long largest_cache = 4ULL << 30;
 
 }  // namespace plumb::references

@@ -1,4 +1,4 @@
-// Any program's pictures, rendered once.
+// Renders each picture of a program once, and keeps it.
 #pragma once
 
 #include <memory>

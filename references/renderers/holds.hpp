@@ -11,10 +11,10 @@ enum class Holds {
   bits8,   ///< 0..1 rounded to 1/255
 };
 
-/// As it stands in JSON and in the cache: "float32", "png16" or "png8".
+/// Returns the name in JSON and in the cache: "float32", "png16" or "png8".
 const char* to_string(Holds holds);
 
-/// The inverse. Throws std::invalid_argument for any other text.
+/// Returns the inverse. Throws std::invalid_argument for any other text.
 Holds holds_named(const std::string& name);
 
 }  // namespace plumb::references

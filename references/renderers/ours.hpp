@@ -14,15 +14,15 @@ namespace plumb::references {
 /// The readable one, or the fast one; both give the same picture.
 enum class OwnTracer { textbook, engine };
 
-/// What renders when this one is asked for a picture in that real type.
+/// Returns what renders when this one is asked for a picture in that real type.
 OwnTracer tracer_for(OwnTracer asked, RealType real);
 
-/// Hands the picture on, band by band; otherwise as below.
+/// Renders as below, but hands the picture on band by band.
 void render(OwnTracer tracer, const Scene& scene, const Camera& camera, const RenderJob& job,
             const BandSink& sink, engine::Statistics* statistics = nullptr);
 
-/// The engine knows float and double; what is asked of it in another real type, the textbook tracer renders.
-/// `statistics` may be null; of the textbook tracer they say the time alone.
+/// Renders a picture. The engine knows float and double; the textbook tracer renders what is asked of it in
+/// another real type. `statistics` may be null; the textbook tracer sets the time alone.
 Image render(OwnTracer tracer, const Scene& scene, const Camera& camera, const RenderJob& job,
              engine::Statistics* statistics = nullptr);
 

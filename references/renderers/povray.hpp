@@ -11,7 +11,7 @@
 
 namespace plumb::references {
 
-/// POV-Ray is not there, failed, or was too slow. The message holds its own, with the line of SDL.
+/// POV-Ray is missing, failed, or was too slow. The message holds its own, with the line of SDL.
 class PovrayError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -28,7 +28,8 @@ struct PovrayJob {
   Holds holds = Holds::float32;
 };
 
-/// The command line after the program's name; the same for every run, so that it can be recorded.
+/// Returns the command line after the program's name. It is the same for every run, so that it can be
+/// recorded.
 std::vector<std::string> povray_arguments(const PovrayJob& job);
 
 /// What POV-Ray is asked.
@@ -44,10 +45,10 @@ class Povray {
 
   const std::string& program() const { return program_; }
 
-  /// E.g. 3.7.0.10.unofficial. Starts POV-Ray. Throws PovrayError.
+  /// Returns e.g. 3.7.0.10.unofficial. Starts POV-Ray. Throws PovrayError.
   std::string version() const;
 
-  /// May be called from several threads. Throws PovrayError.
+  /// Renders a picture. Several threads may call it. Throws PovrayError.
   Rendered render(const PovrayJob& job) const;
 
  private:

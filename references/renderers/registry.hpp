@@ -14,7 +14,8 @@ struct ReferenceOptions {
   double time_limit_seconds = 600;  ///< for one run of the program
 };
 
-/// Without cache and stored images. Throws std::invalid_argument when there is no renderer of that name.
+/// Returns the renderer without cache and stored images. Throws std::invalid_argument when there is no
+/// renderer of that name.
 std::unique_ptr<const ProgramRenderer> program_renderer(const ReferenceOptions& options);
 
 struct Reference {
@@ -22,7 +23,8 @@ struct Reference {
   std::string notice;  ///< to be said loudly when stored images are used; else empty
 };
 
-/// Renders through the cache; from the stored images when they are asked for, or when the program is absent.
+/// Returns a renderer that uses the cache, or the stored images when they are asked for or the program is
+/// absent.
 /// Throws std::invalid_argument as above, and std::runtime_error when the program does not tell its version.
 Reference reference_renderer(const ReferenceOptions& options);
 

@@ -28,7 +28,7 @@ struct RendererFacts {
   std::string name;   ///< as it stands in JSON, e.g. "povray"
   std::string title;  ///< for readers, e.g. "POV-Ray"
   Holds holds = Holds::float32;
-  /// Nothing where it is not known: then no difference is explained.
+  /// Empty where it is not known: then no difference is explained.
   std::optional<Resolution> resolution{};
 };
 
@@ -41,30 +41,30 @@ class Renderer {
 
   const RendererFacts& facts() const { return facts_; }
 
-  /// Empty when it does not tell. Throws std::runtime_error when it cannot be asked.
+  /// Returns an empty text when it does not tell. Throws std::runtime_error when it cannot be asked.
   virtual std::string version() const = 0;
 
-  /// Of the shot's size; what was kept from before may have another one. May be called from several threads.
-  /// Throws std::runtime_error.
+  /// Returns the picture in the shot's size; one that was kept from before may have another. Several threads
+  /// may call it. Throws std::runtime_error.
   virtual Rendered render(const Shot& shot) const = 0;
 
-  /// What should be said at the end, e.g. that pictures could not be kept; else empty.
+  /// Returns what should be said at the end, e.g. that pictures could not be kept; else empty.
   virtual std::string complaint() const { return {}; }
 
  private:
   RendererFacts facts_;
 };
 
-/// What a program is asked: all that determines its picture but for its version.
+/// What a program is asked: all that determines its picture, except the program's version.
 struct ExportedShot {
-  std::string renderer;                ///< its name, which is that of the command, too
+  std::string renderer;                ///< its name, which is also that of its command
   std::vector<std::string> arguments;  ///< of its command line
   std::string text;                    ///< the exported scene
   int width;
   int height;
   Holds holds = Holds::float32;  ///< what is read of its files
 
-  /// E.g. "povray +Iin.pov +Oout.png".
+  /// Returns e.g. "povray +Iin.pov +Oout.png".
   std::string command() const;
 };
 
@@ -73,10 +73,10 @@ class ProgramRenderer : public Renderer {
  public:
   using Renderer::Renderer;
 
-  /// Its path. Throws std::runtime_error when there is none on this machine, saying how to get it.
+  /// Returns its path. Throws std::runtime_error that says how to get it when this machine has none.
   virtual std::string program() const = 0;
 
-  /// Starts nothing, and needs no program.
+  /// Returns what the program would be asked. Starts nothing, and needs no program.
   virtual ExportedShot exported(const Shot& shot) const = 0;
 };
 

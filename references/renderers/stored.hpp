@@ -1,4 +1,4 @@
-// Reference images that are kept in the repository, each with where it came from.
+// Reference images that are kept in the repository, each with its origin.
 #pragma once
 
 #include <memory>
@@ -16,29 +16,29 @@ struct StoredReference {
   std::string image;  ///< file name in the directory of stored images
   int width = 0;
   int height = 0;
-  std::string export_sha256;  ///< of the exported text; finds the image again
+  std::string export_sha256;  ///< of the exported text, which finds the image again
   std::string pixels_sha256;  ///< of the float32 values
   std::string renderer;       ///< its name, e.g. "povray"
   std::string version;
-  std::string command;  ///< by which the renderer made it from the exported text
+  std::string command;  ///< made the image from the exported text
 };
 
 class StoredReferences {
  public:
-  /// Reads provenance.json of the directory; an absent one is empty. Throws std::runtime_error when it is
-  /// damaged.
+  /// Reads provenance.json of the directory; without that file there are no images. Throws std::runtime_error
+  /// when it is damaged.
   explicit StoredReferences(std::string directory);
 
-  /// references/images of the repository that the program was built in, or $PLUMB_REFERENCES.
+  /// Returns $PLUMB_REFERENCES when it is set, else the directory of plumb's own stored images.
   static std::string default_directory();
 
   const std::vector<StoredReference>& all() const { return entries_; }
   std::optional<StoredReference> find(const std::string& export_text, int width, int height) const;
 
-  /// The pixels, checked against their hash. Throws std::runtime_error.
+  /// Returns the pixels. Throws std::runtime_error when they cannot be read or do not have the recorded hash.
   Image load(const StoredReference& entry) const;
 
-  /// Writes image and entry, in place of one for the same scene; what others have stored since stays. Throws
+  /// Writes image and entry, in place of one for the same scene. Keeps what others have stored since. Throws
   /// std::runtime_error.
   void store(StoredReference entry, const Image& image);
 

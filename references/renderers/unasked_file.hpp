@@ -1,4 +1,4 @@
-// A file under a name that its user did not give: it takes no other's place.
+// Writes a file under a name that its user did not give. It takes no other file's place.
 #pragma once
 
 #include <string>
@@ -7,16 +7,16 @@
 
 namespace plumb::references {
 
-/// What plumb put there itself is replaced, as long as nobody has changed it since; the cache's directory
-/// keeps what tells that. All functions throw std::runtime_error, saying what to do.
+/// Replaces what plumb put there itself, as long as nobody has changed it since; the cache's directory keeps
+/// what tells that. All functions throw std::runtime_error, saying what to do.
 class UnaskedFile {
  public:
-  /// Throws, too, when a file that is not plumb's stands there.
+  /// Throws, too, when a file that is not plumb's is there.
   explicit UnaskedFile(const std::string& path);
 
-  /// Where the file is to be written, beside its place.
+  /// Returns where the file is to be written, beside its place.
   std::string aside() const;
-  /// Not even a file that has come there meanwhile is replaced.
+  /// Renames the file into its place. Does not even replace a file that has come there meanwhile.
   void put_in_place() const;
 
  private:
