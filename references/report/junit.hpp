@@ -13,11 +13,11 @@ struct JunitCase {
   std::string message;  ///< one line; empty when passed
   std::string details;  ///< any number of lines
   double seconds = 0;
-  std::string output = {};  ///< what is to be said of one that passed; may be empty
+  std::string output = {};  ///< what one that passed says; may be empty
 };
 
-/// One suite in a <testsuites>, elements and attributes as in Jenkins' junit-10.xsd. Bytes that are not UTF-8
-/// and characters that XML 1.0 forbids (section 2.2) become U+FFFD.
+/// Returns one suite in a <testsuites>, elements and attributes as in Jenkins' junit-10.xsd. Bytes that are
+/// not UTF-8 and characters that XML 1.0 forbids (section 2.2) become U+FFFD.
 std::string junit_xml(const std::string& suite, const std::vector<JunitCase>& cases);
 
 }  // namespace plumb::references

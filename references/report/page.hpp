@@ -1,4 +1,4 @@
-// The parts of a report put together.
+// Puts the parts of a report together.
 #pragma once
 
 #include <string>

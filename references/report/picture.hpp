@@ -1,4 +1,4 @@
-// The pixels of one scene as the page reads them.
+// Packs the pixels of one scene as the page reads them.
 #pragma once
 
 #include <string>
@@ -8,7 +8,8 @@
 
 namespace plumb::references {
 
-/// Causes in the order of their first pixel; pixels name them by their place in this list, counted from 1.
+/// Returns the causes in the order of their first pixel. Pixels name them by their place in this list,
+/// counted from 1.
 std::vector<std::string> causes_of(const ReportEntry& entry);
 
 /// Every bit of both pictures, then the causes, then the texts:

@@ -11,7 +11,7 @@
 namespace plumb::references {
 
 /// Pictures are kept bit by bit (float32, NaN and infinities too). Up to `most_inline` bytes of them stand in
-/// the page; beyond, all lie beside it in pictures/, and the page loads each when it is looked at.
+/// the page. With more, all lie beside it in pictures/, and the page loads each when it is looked at.
 class ReportWriter {
  public:
   static constexpr std::size_t default_most_inline = 50'000'000;
@@ -20,12 +20,12 @@ class ReportWriter {
   ReportWriter(std::string directory, std::string title, std::string subtitle,
                std::size_t most_inline = default_most_inline);
 
-  /// The page lists entries as they are added. May be called from several threads. Throws
+  /// Adds an entry; the page lists entries as they are added. Several threads may call it. Throws
   /// std::invalid_argument for an entry whose pictures or notes do not fit each other.
   void add(const ReportEntry& entry);
 
   /// Replaces index.html, after all that it loads is in place, then removes pictures of earlier reports.
-  /// Throws std::runtime_error; then an earlier report is as it was.
+  /// Throws std::runtime_error; an earlier report is then as it was.
   void finish();
 
  private:

@@ -1,14 +1,14 @@
-// Pages that we write take the place of our own alone.
+// Lets pages that we write replace only pages of our own.
 #pragma once
 
 #include <string>
 
 namespace plumb::references {
 
-/// In the head of every page of ours, by which it is known.
+/// Stands in the head of every page of ours, by which it is known.
 inline constexpr const char* generator_tag = "<meta name=\"generator\" content=\"plumb\">";
 
-/// Throws std::runtime_error when a file is there that is no page of ours.
+/// Throws std::runtime_error when a file that is no page of ours is there.
 void refuse_to_replace_others(const std::string& page);
 
 }  // namespace plumb::references

@@ -1,4 +1,4 @@
-// Bytes made small, and made text.
+// Makes bytes small, and turns them into text.
 #pragma once
 
 #include <string>
@@ -7,13 +7,13 @@
 
 namespace plumb::references {
 
-/// zlib format (RFC 1950), which browsers call "deflate". Throws std::runtime_error.
+/// Compresses to zlib format (RFC 1950), which browsers call "deflate". Throws std::runtime_error.
 std::string deflated(std::string_view bytes);
 
-/// RFC 4648, section 4, with padding.
+/// Encodes by RFC 4648, section 4, with padding.
 std::string base64(std::string_view bytes);
 
-/// A PNG (ISO/IEC 15948) of 8-bit samples, interleaved: 1 channel is grey, 3 are sRGB.
+/// Returns a PNG (ISO/IEC 15948) of 8-bit samples, interleaved: 1 channel is grey, 3 are sRGB.
 std::string png(int width, int height, int channels, const std::vector<unsigned char>& samples);
 
 }  // namespace plumb::references
