@@ -25,8 +25,8 @@ namespace {
 
 constexpr double tolerance = 1e-6;      // that of plumb verify
 constexpr double least_seconds = 0.02;  // of one measurement: a thousand times the clock's resolution
-constexpr double most_seconds = 1.5;    // what took longer in all is not run again: it varies little
-/// What is done after the truths and after the errors, of a scene's work: for progress alone.
+constexpr double most_seconds = 1.5;    // what took longer in all is not run again, because it varies little
+/// The shares of a scene's work that are done after the truths and after the errors, for the progress.
 constexpr double truths_end = 0.25, errors_end = 0.4;
 
 std::string machine() {
@@ -40,7 +40,7 @@ std::string machine() {
   return model + ", " + std::to_string(std::thread::hardware_concurrency()) + " threads";
 }
 
-/// Changes with every build of this program: what another one measured says nothing of it.
+/// Identifies this build of the program. What another build measured tells nothing of it.
 std::string build() {
   struct stat info {};
   stat("/proc/self/exe", &info);
@@ -123,7 +123,7 @@ class SceneMeasurer {
            });
   }
 
-  /// Removes the ways that make no picture of this scene at all, and says why: a method that fails is no
+  /// Removes the ways that make no picture of this scene at all, and says why. A method that fails is no
   /// reason to have no chart.
   void find_errors(std::vector<Entry>& entries, std::vector<std::string>& failed) {
     std::vector<Entry> rendered;
@@ -171,7 +171,7 @@ class SceneMeasurer {
     }
   }
 
-  /// `start` is that of this run, once it is known.
+  /// `start` is the cost of the start in this run, once it is known.
   MeasuredRun time(const Configuration& way, std::optional<Cost>& start) const {
     if (way.is_program && !start) start = cost_of_start(*way.renderer);
     const Cost unit = cost_of([&] { yardstick_.renderer->render(shot_); }, tools_.counter, least_seconds);
@@ -186,7 +186,7 @@ class SceneMeasurer {
     return cost_of([&] { renderer.render(tiny); }, tools_.counter, 0);
   }
 
-  /// Not below a hundredth of the start: less cannot be told from its own variation.
+  /// Subtracts the start, down to a hundredth of it: less cannot be told from its own variation.
   static Cost without_start(const Cost& all, const Cost& start) {
     Cost rest{std::max(all.cpu_seconds - start.cpu_seconds, 0.01 * start.cpu_seconds), std::nullopt};
     if (all.instructions && start.instructions)
@@ -211,7 +211,7 @@ class SceneMeasurer {
     return point;
   }
 
-  /// Ratios to the yardstick become ratios to the fastest, and the fronts are found.
+  /// Turns ratios to the yardstick into ratios to the fastest, and finds the fronts.
   static void finish(std::vector<ChartPoint>& points) {
     double fastest = std::numeric_limits<double>::infinity(), fewest = fastest;
     for (ChartPoint& point : points) {

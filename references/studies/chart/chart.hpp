@@ -1,4 +1,4 @@
-// Speed against accuracy: every way to render a scene, what it costs, and how far it is off.
+// Speed against accuracy: every way to render a scene, its cost, and how far its picture is off.
 #pragma once
 
 #include <cstdint>
@@ -14,17 +14,17 @@
 namespace plumb::references {
 
 struct ChartOptions {
-  Size size{160, 120};  ///< of all scenes: the oracle takes a minute for ten times as many pixels
+  Size size{160, 120};  ///< of all scenes; the oracle takes a minute for ten times as many pixels
   std::string camera;   ///< instead of the scenes' own, when not empty
   Dialect dialect;
   RenderOptions render;
   int runs = 5;
-  bool fresh = false;  ///< nothing that was measured before is used
+  bool fresh = false;  ///< true: nothing that was measured before is used
   std::function<void(double)> progress;
   std::function<void(const std::string&)> warn;
 };
 
-/// Of several runs.
+/// Median and extremes of several runs.
 struct Spread {
   double median, min, max;
 };
@@ -36,17 +36,17 @@ struct ChartPoint {
   Spread cpu_seconds;
   Spread ratio;  ///< to the fastest of the scene
   std::optional<std::uint64_t> instructions;
-  int runs = 0;                                ///< as many as asked for; fewer of what takes long
+  int runs = 0;                                ///< as many as asked for; fewer where one takes long
   std::optional<double> instructions_ratio{};  ///< to the fewest of the scene
-  bool fails = false;            ///< makes no picture to set against its cost: RMS over 1, or not finite
-  bool pareto = false;           ///< among those held against the same truth: of the ratio and the RMS error
-  bool measured_before = false;  ///< all runs come from the cache
+  bool fails = false;                          ///< makes no picture worth its cost: RMS over 1, or not finite
+  bool pareto = false;                         ///< no other with the same truth beats its ratio and RMS error
+  bool measured_before = false;                ///< true if all runs come from the cache
 };
 
 struct ChartScene {
   std::string scene;
   std::vector<ChartPoint> points;
-  std::vector<std::string> left_out;  ///< and why
+  std::vector<std::string> left_out;  ///< each with the reason
 };
 
 struct Chart {
@@ -57,9 +57,9 @@ struct Chart {
   std::string instructions;  ///< why they were not counted; empty when they were
 };
 
-/// Renders in one thread, run by run, every configuration once a run; and before each the yardstick, so that
-/// costs of different minutes, and of runs that were broken off and resumed, have a measure in common: a
-/// ratio is a quotient of such quotients. What is measured is kept at once, in the cache. Throws what reading
+/// Renders in one thread, run by run, every configuration once per run. The yardstick goes before each, so
+/// that costs of different minutes, and of runs that were broken off and resumed, have a measure in common: a
+/// ratio is a quotient of such quotients. Each measurement is kept at once, in the cache. Throws what reading
 /// scenes and rendering throw.
 Chart measure_chart(const std::vector<std::string>& scenes, const ChartOptions& options);
 

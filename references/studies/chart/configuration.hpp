@@ -17,10 +17,10 @@ enum class Truth {
   pixel_areas     ///< the mean over the pixel's area, of very many samples
 };
 
-/// One way. Its strings say how: null in JSON where they are empty.
+/// One way. Its strings say how; an empty one is null in JSON.
 struct Configuration {
-  std::string id;     ///< unique, of a-z 0-9 and -
-  std::string work;   ///< the same for those that do the same and are only judged otherwise: it is timed once
+  std::string id;     ///< unique, made of a-z 0-9 and -
+  std::string work;   ///< the same for those that do the same and differ in the truth only: it is timed once
   std::string title;  ///< for a reader
   std::string real;
   std::string methods;
@@ -31,10 +31,10 @@ struct Configuration {
   bool is_program = false;                   ///< its start costs something, and is no rendering
 };
 
-/// Beyond so many objects, nothing is rendered without a hierarchy by the engine.
+/// Above this number of objects, the engine renders nothing without a hierarchy.
 inline constexpr std::uint64_t most_without_hierarchy = 1000;
 
-/// What costs are counted in: measured beside every other configuration, in the same minute.
+/// The unit of costs: it is measured beside every other configuration, in the same minute.
 Configuration yardstick();
 
 /// All ways to render this scene that make sense; POV-Ray's when there is one.

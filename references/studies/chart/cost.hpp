@@ -1,4 +1,4 @@
-// What a piece of work costs, apart from the time that passes.
+// Measures what a piece of work costs, apart from the time that passes.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@ namespace plumb::references {
 
 struct Cost {
   double cpu_seconds = 0;  ///< user and system, of all threads and of children that have ended
-  std::optional<std::uint64_t> instructions;  ///< in user mode; nothing where the machine does not count them
+  std::optional<std::uint64_t> instructions;  ///< in user mode; nothing where the machine cannot count them
 };
 
 /// Counts the instructions of this process and of the children it starts, by Linux's perf_event_open(2).
@@ -20,9 +20,10 @@ class InstructionCounter {
   InstructionCounter(const InstructionCounter&) = delete;
   InstructionCounter& operator=(const InstructionCounter&) = delete;
 
-  /// Why nothing is counted; empty when it is. Containers and virtual machines often have no counters.
+  /// Says why nothing is counted; empty when something is. Containers and virtual machines often have no
+  /// counters.
   const char* complaint() const { return file_ < 0 ? complaint_ : ""; }
-  /// So far; nothing where the machine does not count.
+  /// Returns the count so far; nothing where the machine cannot count.
   std::optional<std::uint64_t> read() const;
 
  private:
@@ -30,8 +31,8 @@ class InstructionCounter {
   const char* complaint_ = "";
 };
 
-/// Does the work again and again until it took `least_seconds` of processor time, and returns the mean:
-/// clocks are coarse, and small pictures take less than a millisecond.
+/// Repeats the work until it took `least_seconds` of CPU time, and returns the mean: clocks are coarse, and
+/// small pictures take less than a millisecond.
 Cost cost_of(const std::function<void()>& work, const InstructionCounter& counter, double least_seconds);
 
 }  // namespace plumb::references

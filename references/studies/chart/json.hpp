@@ -1,4 +1,4 @@
-// A chart as JSON, for plotting it and for programs.
+// A chart as JSON, for plots and for programs.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -7,8 +7,8 @@
 
 namespace plumb::references {
 
-/// plumb, machine, povray, size, runs, truths, cost, instructions_complaint, scenes: [{scene, left_out,
-/// points}].
+/// {plumb, machine, povray, size, runs, truths, cost, instructions_complaint, scenes: [{scene, left_out,
+/// points}]}.
 nlohmann::ordered_json to_json(const Chart& chart);
 
 }  // namespace plumb::references

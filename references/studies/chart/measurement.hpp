@@ -1,4 +1,4 @@
-// What was measured of one configuration, and where it is kept until the chart is complete.
+// What was measured of one configuration. A file keeps it until the chart is complete.
 #pragma once
 
 #include <cstddef>
@@ -14,23 +14,23 @@ namespace plumb::references {
 struct ErrorFigures {
   double max = 0;
   double rms = 0;
-  std::size_t pixels_over = 0;  ///< 1e-6, relative above 1; those that are not finite included
-  std::size_t non_finite = 0;   ///< pixels
+  std::size_t pixels_over = 0;  ///< 1e-6, relative above 1; includes those that are not finite
+  std::size_t non_finite = 0;   ///< number of pixels
 };
 
 struct MeasuredRun {
   Cost cost;
-  double yardstick_seconds = 0;  ///< of the yardstick, measured just before
+  double yardstick_seconds = 0;  ///< CPU time of the yardstick, measured just before
 };
 
 struct Measurement {
   std::optional<ErrorFigures> error;
   std::vector<MeasuredRun> runs;
 
-  double seconds() const;  ///< of processor time, of all runs
+  double seconds() const;  ///< CPU time of all runs
 };
 
-/// Nothing measured when there is no such file, or a damaged one.
+/// Returns nothing measured when there is no such file, or a damaged one.
 Measurement load_measurement(const std::string& path);
 
 /// Throws std::runtime_error when the file cannot be written.

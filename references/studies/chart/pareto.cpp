@@ -23,7 +23,7 @@ std::vector<bool> pareto_front(const std::vector<CostAndError>& points) {
   });
   std::vector<bool> is_front(points.size());
   const std::size_t none = points.size();
-  std::size_t best = none;  // the last that joined the front
+  std::size_t best = none;  // the last one that joined the front
   for (const std::size_t i : order) {
     const bool is_equal = best != none && cost(i) == cost(best) && error(i) == error(best);
     if (best != none && !is_equal && error(i) >= error(best)) continue;

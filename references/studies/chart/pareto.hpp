@@ -1,4 +1,4 @@
-// Which of several ways to the same picture nobody need pass over.
+// Finds those of several ways to the same picture that no other way beats.
 #pragma once
 
 #include <vector>
@@ -7,11 +7,11 @@ namespace plumb::references {
 
 struct CostAndError {
   double cost;
-  double error;  ///< a NaN counts as worse than any number
+  double error;  ///< NaN counts as worse than any number
 };
 
-/// For each point whether no other is better in one figure and at least as good in the other. Points equal in
-/// both do not dominate each other.
+/// Tells for each point if no other is better in one figure and at least as good in the other. Points that
+/// are equal in both do not beat each other.
 std::vector<bool> pareto_front(const std::vector<CostAndError>& points);
 
 }  // namespace plumb::references

@@ -1,4 +1,4 @@
-// The pictures that a chart's errors are counted from.
+// The pictures with which a chart compares others.
 #pragma once
 
 #include <functional>
@@ -8,8 +8,8 @@
 
 namespace plumb::references {
 
-/// Samples of a pixel, a grid of 32 x 32, whose mean stands for the pixel's area. Their own distance from it
-/// is an eighth of that of 16 samples at an edge: the error of a grid falls with its spacing.
+/// Number of samples of a pixel, a grid of 32 x 32, whose mean stands for the pixel's area. At an edge it is
+/// an eighth as far from that as 16 samples are: the error of a grid falls with its spacing.
 inline constexpr int samples_of_area = 1024;
 
 /// Renders a truth: the textbook tracer in 113 bits for pixel centres; for areas the engine in double, whose

@@ -9,7 +9,7 @@
 namespace plumb::references {
 namespace {
 
-/// Because 5,000 pixels find a mistake in one of 1,700 with a chance of 95 %, and those in which float and
+/// Because 5,000 pixels find a mistake in one of 1,700 pixels with a chance of 95 %. Those in which float and
 /// double differ are looked at anyway.
 constexpr std::size_t most_spread_pixels = 5000;
 constexpr std::size_t suspect_pixels = 256;
@@ -122,7 +122,7 @@ Candidate least_depth(PictureJudge& judge, RealType real, double bound, const Tr
 
 namespace {
 
-/// Long double is rendered by the textbook tracer; double is no yardstick for it.
+/// Renders in long double with the textbook tracer. Double is no yardstick for it, so the oracle alone is.
 Choice in_long_double(PictureJudge& judge, double bound, Choice choice) {
   Candidate candidate;
   if (judge.job().samples == 1) {

@@ -1,4 +1,4 @@
-// The cheapest configuration whose measured error stays under a bound.
+// Chooses the cheapest configuration whose measured error stays under a bound.
 #pragma once
 
 #include <functional>
@@ -12,7 +12,7 @@
 
 namespace plumb::references {
 
-/// One way to render a picture, and what it came to.
+/// One way to render a picture, and what came of it.
 struct Candidate {
   RealType real = RealType::float64;
   int depth = 0;
@@ -21,18 +21,18 @@ struct Candidate {
   engine::Statistics statistics{};
 };
 
-/// As --real has it.
+/// Returns the name that --real has.
 const char* to_string(RealType real);
 
-/// A scene's picture in float and double at the depth asked for, and the oracle's pixels, by which others are
-/// judged.
+/// A scene's picture in float and double at the depth asked for, and the oracle's pixels, which judge other
+/// pictures.
 class PictureJudge {
  public:
-  /// Renders both with the engine, and has the oracle look at the pixels in which they differ most, then at
-  /// spread ones. All must outlive it. Throws what these throw.
+  /// Renders both with the engine. Has the oracle look at the pixels in which they differ most, then at
+  /// spread ones. All arguments must outlive it. Throws what these throw.
   PictureJudge(const Scene& scene, const Camera& camera, const RenderJob& job);
 
-  /// The engine renders float and double, the textbook tracer others.
+  /// Renders with the engine in float and double, with the textbook tracer in others.
   Image rendered(RealType real, int depth, Candidate& candidate);
   ErrorFigures error_of(const Image& image) const;
   double error_against_oracle(const Image& image) const;
@@ -42,11 +42,11 @@ class PictureJudge {
     return static_cast<std::size_t>(job_.width) * static_cast<std::size_t>(job_.height);
   }
   const Image& picture(RealType real) const { return real == RealType::float32 ? in_float_ : in_double_; }
-  /// Of the pictures at the depth asked for.
+  /// Returns what the picture at the depth asked for came to.
   const Candidate& candidate(RealType real) const { return real == RealType::float32 ? float_ : double_; }
   const RenderJob& job() const { return job_; }
 
-  /// Has the oracle look at those of these pixels that it has not looked at.
+  /// Has the oracle look at those of these pixels at which it has not looked yet.
   void look_also_at(const std::vector<PixelPlace>& places);
 
  private:
@@ -59,8 +59,8 @@ class PictureJudge {
   std::vector<bool> is_looked_at_;  // by row and column
 };
 
-/// The least depth at which a picture in that real type has no error above the bound; the asked depth has
-/// none. Every picture that was tried is reported, with its error.
+/// Returns the picture of the least depth whose error in that real type is within the bound. That of the
+/// depth asked for must be. Every picture that was tried is reported, with its error.
 using Tried = std::function<void(const Candidate&, Image&&)>;
 Candidate least_depth(PictureJudge& judge, RealType real, double bound, const Tried& tried);
 
@@ -71,17 +71,17 @@ struct Choice {
   Image image;  ///< of the chosen one
 };
 
-/// No configuration that was tried stays under the bound.
+/// Thrown when no configuration that was tried stays under the bound.
 class BoundNotReached : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// The first that stays under the bound of: float, double, each at its least depth; long double at the depth
-/// asked for. Throws BoundNotReached, which says what was reached, and what rendering throws.
+/// Returns the first that stays under the bound: float or double, each at its least depth, or long double at
+/// the depth asked for. Throws BoundNotReached, which says what was reached, and what rendering throws.
 Choice choose(const Scene& scene, const Camera& camera, const RenderJob& job, double bound);
 
-/// E.g. "float, depth 3: error 2.1e-07 (0.01 asked): ..."; a few lines that say why.
+/// Returns a few lines that say why, e.g. "float, depth 3: error 2.1e-07 (0.01 asked): ...".
 std::string reason(const Choice& choice, double bound, int asked_depth);
 
 }  // namespace plumb::references

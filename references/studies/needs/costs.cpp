@@ -59,7 +59,7 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-/// Odd, and so many that short renders take a tenth of a second in all.
+/// Returns an odd number, large enough for short renders to take a tenth of a second in all.
 int rounds_for(double cpu_seconds) {
   return 2 * static_cast<int>(std::clamp(0.05 / std::max(cpu_seconds, 1e-4), 1.0, 7.0)) + 1;
 }

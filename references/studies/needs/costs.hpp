@@ -1,4 +1,4 @@
-// What features of a scene cost: CPU time with them against without.
+// Measures what features of a scene cost: CPU time with them and without.
 #pragma once
 
 #include <functional>
@@ -12,18 +12,18 @@ namespace plumb::references {
 
 struct Cost {
   std::string feature;
-  double ratio = 1;                ///< of CPU time with it to without: the median of the rounds
+  double ratio = 1;                ///< CPU time with it over that without: the median of the rounds
   double least = 1, greatest = 1;  ///< of the rounds
 };
 
 struct Costs {
-  double cpu_seconds = 0;  ///< of the picture with all: the median
+  double cpu_seconds = 0;  ///< median CPU time of the picture with all features
   int rounds = 0;
   std::vector<Cost> costs;
 };
 
-/// Renders the picture on one thread of the engine with all, then without each feature that it has, and so on
-/// in rounds: what disturbs the machine disturbs both sides of a ratio.
+/// Renders the picture on one thread of the engine with all features, then without each that it has, and so
+/// on in rounds. So what disturbs the machine disturbs both sides of a ratio.
 Costs measure_costs(const Scene& scene, const Camera& camera, const RenderJob& job,
                     const Untouched& untouched);
 

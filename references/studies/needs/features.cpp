@@ -18,7 +18,7 @@ struct Use {
   std::uint64_t seen = 0;
 };
 
-/// The touches of each shape; those of a composite are its children's.
+/// Returns the touches of each shape; a composite has those of its children.
 std::vector<std::uint64_t> touches_of(const Scene& scene, const Observed& observed) {
   std::vector<std::uint64_t> touches;
   for (const Touches& t : observed.shapes) touches.push_back(t.hits() + t.blocked);

@@ -1,4 +1,4 @@
-// Which rows of the lecture a scene has, and which of them its picture shows.
+// Tells which rows of the lecture a scene has, and which of them its picture shows.
 #pragma once
 
 #include <string>
@@ -15,13 +15,13 @@ struct Feature {
   std::string id;     ///< lower case, words joined by -
   std::string slide;  ///< as LECTURE.md has it
   std::string what;
-  std::size_t in_scene = 0;  ///< so many things of the scene ask for it
-  std::string things;        ///< what is counted there, one of them
-  std::uint64_t seen = 0;    ///< so often it happened in the pixels that were looked at
-  std::string times;         ///< what is counted there
+  std::size_t in_scene = 0;  ///< number of things in the scene that ask for it
+  std::string things;        ///< one of what is counted there
+  std::uint64_t seen = 0;    ///< number of times that it happened in the pixels looked at
+  std::string times;         ///< one of what is counted there
 };
 
-/// All, in the order of the lecture, those that a scene has none of included.
+/// Returns all, in the order of the lecture, also those that the scene does not have.
 std::vector<Feature> features_of(const Scene& scene, const Camera& camera, const RenderOptions& options,
                                  const Observed& observed);
 

@@ -7,7 +7,7 @@
 namespace plumb::references {
 namespace {
 
-/// Every depth up to here is rendered; beyond, those that the search comes by.
+/// Every depth up to here is rendered; of deeper ones only those that the search tries.
 constexpr int most_steps = 8;
 
 double change(PictureJudge& judge, int depth) {
@@ -16,7 +16,7 @@ double change(PictureJudge& judge, int depth) {
   return *judge.error_of(image).against_double;
 }
 
-/// The least depth, found by bisection, whose picture in double is off by no more than the bound.
+/// Returns the least depth, found by bisection, whose picture in double is off by at most the bound.
 int least_depth_for(PictureJudge& judge, double bound, DepthNeed& need) {
   int enough = need.asked, too_small = 0;
   while (enough - too_small > 1) {

@@ -1,4 +1,4 @@
-// What a scene's picture needs, and what that costs.
+// Finds out what a scene's picture needs, and what that costs.
 #pragma once
 
 #include <vector>
@@ -20,9 +20,9 @@ struct DepthStep {
 struct DepthNeed {
   int asked = 0;
   std::vector<DepthStep> steps;  ///< those that were rendered, in double, the shallowest first
-  int same_from = 0;  ///< a depth whose picture is the asked one's, bit for bit, and that before is not
-  int within_bound_from = 0;  ///< likewise, its error at most the bound
-  /// When rays are black at the depth asked for: how far the picture of the next depth is off. Else 0.
+  int same_from = 0;             ///< least depth known to give the asked picture bit for bit
+  int within_bound_from = 0;     ///< least depth known to have an error of at most the bound
+  /// How far the picture of the next depth is off, if rays are black at the depth asked for. Else 0.
   double change_beyond = 0;
 };
 
@@ -30,17 +30,17 @@ struct Needs {
   Observed observed;
   std::vector<Feature> features;
   Untouched untouched;
-  bool is_same_without_untouched = true;  ///< the picture in double, bit for bit
+  bool is_same_without_untouched = true;  ///< of the picture in double, bit for bit
   Candidate in_float, in_double;          ///< at the depth asked for
   std::size_t oracle_pixels = 0;
   DepthNeed depth;
   Costs costs;
 };
 
-/// Looks, renders and measures; throws what rendering does.
+/// Observes, renders and measures. Throws what rendering throws.
 Needs needs_of(const Scene& scene, const Camera& camera, const RenderJob& job, double bound);
 
-/// The real type that suffices for an error bound by these figures: "float", "double", or "neither".
+/// Returns the real type that suffices for an error bound by these figures: "float", "double", or "neither".
 std::string sufficient_real(const Needs& needs, double bound);
 
 }  // namespace plumb::references

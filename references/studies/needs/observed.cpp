@@ -37,7 +37,7 @@ struct Notes {
   std::vector<OpenRay> open{};  // from the camera ray to the one that is being traced
 };
 
-/// What a ray is inside of: through a surface it enters or leaves.
+/// Returns what a ray is inside of: at a surface it enters or leaves.
 Media media_of(RayKind kind, const Notes& notes) {
   if (kind == RayKind::camera) return notes.around_the_eye;
   Media inside = notes.open.back().inside;

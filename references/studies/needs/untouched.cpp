@@ -12,7 +12,7 @@ bool is_touched(const Scene& scene, ShapeId id, const Observed& observed, const 
   return observed.shapes[id].any() || (options.glass_shadow == GlassShadow::filtered && material.transmits());
 }
 
-/// By ShapeId; a composite is touched where one of its children is.
+/// Tells for each ShapeId if it is touched. A composite is when one of its children is.
 std::vector<bool> touched_shapes(const Scene& scene, const Observed& observed, const RenderOptions& options) {
   std::vector<bool> touched(scene.shapes.size(), false);
   for (ShapeId id = 0; id < scene.shapes.size(); ++id) {

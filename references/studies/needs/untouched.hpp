@@ -1,4 +1,4 @@
-// What a picture does not need of its scene.
+// Finds what a picture does not need of its scene.
 #pragma once
 
 #include <vector>
@@ -9,17 +9,17 @@
 
 namespace plumb::references {
 
-/// Of the pixels that were observed: for this camera, this size and one sample a pixel.
+/// Holds for the pixels that were observed: this camera, this size and one sample per pixel.
 struct Untouched {
-  std::vector<ShapeId> shapes;        ///< spheres, boxes and composites of them that no ray touches
-  std::vector<MaterialId> materials;  ///< that no ray meets
-  std::vector<std::size_t> lights;    ///< that add nothing to any hit
+  std::vector<ShapeId> shapes;        ///< spheres and boxes, and composites of such, that no ray touches
+  std::vector<MaterialId> materials;  ///< those that no ray meets
+  std::vector<std::size_t> lights;    ///< those that add nothing to any hit
 };
 
-/// Where glass filters the light, a shadow ray goes through it unnoticed: there glass counts as touched.
+/// Where glass filters the light, a shadow ray passes it unnoticed, so glass counts as touched there.
 Untouched untouched_by(const Scene& scene, const Observed& observed, const RenderOptions& options);
 
-/// The scene without these shapes and lights.
+/// Returns the scene without these shapes and lights.
 Scene without(const Scene& scene, const Untouched& untouched);
 
 }  // namespace plumb::references

@@ -1,4 +1,4 @@
-// The atlas of failures: where each method breaks, by which condition, in which real type.
+// The atlas of failures: where each method breaks, under which condition, in which real type.
 #pragma once
 
 #include <functional>
@@ -10,7 +10,8 @@
 
 namespace plumb::references::stability {
 
-/// The first values of the condition at which it happens to any ray; nothing within the sweep.
+/// The first value of the condition at which it happens to any ray; nothing when it does not within the
+/// sweep.
 struct Breaks {
   std::optional<double> missed;       ///< a hit is lost
   std::optional<double> ulp16;        ///< t is off by more than 16 ulp
@@ -25,9 +26,9 @@ struct Row {
   std::string method, real, source;
   Breaks breaks;
   std::string cause, remedy;  ///< one line each
-  std::vector<std::pair<double, double>>
-      curve;  ///< value, largest relative error; 1 for a lost or false hit, NaN where rounding
-  ///< the inputs left no true hit to ask for
+  /// Value and largest relative error: 1 for a lost or false hit, NaN where the rounding of the inputs left
+  /// no true hit to ask for.
+  std::vector<std::pair<double, double>> curve;
   std::vector<std::pair<double, double>> wrong;  ///< value, share of rays or pixels that are wrong
   std::string measures;                          ///< "t", "direction" or "point" of rays, or "pixels"
   std::string unavailable;                       ///< why nothing was measured: a renderer is missing
@@ -41,13 +42,13 @@ struct Condition {
 
 struct Sweep {
   bool quick = false;
-  std::string condition;  ///< one alone; empty: all
+  std::string condition;  ///< the only one; empty: all
   std::function<void(double)> progress;
-  std::string cache;  ///< directory of finished rows; empty: none are kept
+  std::string cache;  ///< directory for finished rows; empty: none are kept
 };
 
-/// Throws std::invalid_argument, naming the conditions there are, when there is none of that name. The same
-/// sweep gives the same numbers.
+/// Sweeps and returns the conditions. Throws std::invalid_argument, naming the known ones, when there is none
+/// of that name. The same sweep gives the same numbers.
 std::vector<Condition> stability(const Sweep& sweep);
 
 /// {conditions: [{name, unit, rows: [{method, real, source, status, measures, breaks, cause, remedy, curve,

@@ -12,7 +12,7 @@ struct BoxCase {
   Corners<Real> box;
 };
 
-/// A plate, 1/v as thick as it is wide, seen from anywhere; every second ray aims at its rim, and half of
+/// A plate, 1/v as thick as it is wide, seen from anywhere. Every second ray aims at its rim, and half of
 /// these look along it.
 template <class Real>
 BoxCase<Real> thin_box(double v, Random& random) {
@@ -30,7 +30,7 @@ BoxCase<Real> thin_box(double v, Random& random) {
   return {{Vec3<Real>(eye), glm::normalize(Vec3<Real>(aim - eye))}, {Vec3<Real>(-half), Vec3<Real>(half)}};
 }
 
-/// A cube, seen from anywhere, aimed at a point 1/v inside an edge; those that rounding turned into misses
+/// A cube, seen from anywhere. Rays aim at a point 1/v inside an edge; those that rounding turned into misses
 /// have no true hit and do not count.
 template <class Real>
 BoxCase<Real> box_edge(double v, Random& random) {
@@ -40,8 +40,8 @@ BoxCase<Real> box_edge(double v, Random& random) {
   return {{Vec3<Real>(eye), glm::normalize(Vec3<Real>(aim - eye))}, {Vec3<Real>(-1), Vec3<Real>(1)}};
 }
 
-/// Along an axis, tilted by 1/v; every fourth ray by 0, every fourth by -0; every second in the plane of a
-/// face.
+/// A ray along an axis, tilted by 1/v. Every fourth is tilted by 0, every fourth by -0; every second lies in
+/// the plane of a face.
 template <class Real>
 BoxCase<Real> near_parallel(double v, Random& random) {
   const double kind = uniform(random);

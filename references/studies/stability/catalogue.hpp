@@ -1,4 +1,4 @@
-// Every sweep of the atlas: a condition, a method, and why it fails.
+// Every sweep of the atlas: a condition, a method, and why the method fails.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ namespace plumb::references::stability {
 struct Variant {
   std::string real;
   Probe probe;
-  std::string renderer;  ///< another's name and version, or empty
+  std::string renderer;  ///< name and version of another renderer, or empty
 };
 
 struct Method {
@@ -24,15 +24,15 @@ struct Method {
 struct ConditionEntry {
   std::string name;
   std::string unit;
-  double last;    ///< of a sweep from 1
-  bool is_whole;  ///< counts, such as depths
-  int rays;       ///< a value, in a full sweep
+  double last;    ///< of a sweep that begins at 1
+  bool is_whole;  ///< true for counts, such as depths
+  int rays;       ///< number per value in a full sweep
   std::vector<Method> methods;
 };
 
 std::vector<ConditionEntry> catalogue();
 
-/// Why a method fails under a condition, and the remedy, where these are others than its own.
+/// Sets why a method fails under a condition, and the remedy, where these are not its usual ones.
 void explain(const std::string& condition, Method& method);
 
 }  // namespace plumb::references::stability

@@ -8,7 +8,7 @@
 namespace plumb::references::stability {
 namespace {
 
-/// For all methods whose id begins so, unless a line above it fits.
+/// Explains all methods whose id begins like this, unless a line above fits.
 struct Explanation {
   std::string_view condition, method, cause, remedy;
 };

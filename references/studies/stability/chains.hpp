@@ -14,12 +14,12 @@ namespace plumb::references::stability {
 
 using Steps = std::vector<TransformStep>;
 
-/// Turned, pressed to 1/v, turned again: the matrix has the condition number v.
+/// Turned, pressed to 1/v, turned again. The matrix has the condition number v.
 inline Steps pressed(double v) {
   return {Rotate{30, {1, 2, 3}}, Scale{{1, 1, 1 / v}}, Rotate{50, {3, -1, 1}}};
 }
 inline Steps flattened(double v) { return {Scale{{1, 1 / v, 1}}}; }
-/// As many steps, that turn, move and scale to and fro.
+/// v steps that rotate, scale and translate in turn.
 inline Steps nested(double v) {
   Random random(7);
   Steps steps;
@@ -38,7 +38,7 @@ template <class Real>
 struct Placed {
   Transform<Real> here;
   Transform<Quad> exact;
-  double size;  ///< of its longest axis
+  double size;  ///< length of its longest axis
 };
 
 inline double longest_axis(const Mat4<Quad>& matrix) {
@@ -88,7 +88,7 @@ std::optional<Real> with_unit_direction(const Placed<Real>& placed, const Ray<Re
   return t;
 }
 
-/// The cosine at which a ray meets the moved unit sphere at t, all in 113 bits.
+/// Returns the cosine at which a ray meets the moved unit sphere at t, all in 113 bits.
 inline double incidence(const Transform<Quad>& exact, const Ray<Quad>& world, const Ray<Quad>& in_object,
                         Quad t) {
   const Vec3<Quad> n =
@@ -136,7 +136,7 @@ Trial refraction(const Vec3<Real>& d, const Vec3<Real>& n, Real ratio, double un
   return trial;
 }
 
-/// Index 1 + 1/v: the bend is about 1/v.
+/// A refractive index of 1 + 1/v: the bend is about 1/v.
 template <class Real>
 Trial index_near_one(double v, Random& random) {
   const Vec3<Real> n = glm::normalize(Vec3<Real>(unit_vector(random)));
@@ -155,7 +155,7 @@ Trial near_critical(double v, Random& random) {
   return refraction(glm::normalize(Vec3<Real>(d)), glm::normalize(Vec3<Real>(n)), Real(1.5), 1);
 }
 
-/// Where a ray within a mirrored unit sphere is after so many reflections.
+/// Returns where a ray within a mirrored unit sphere is after `depth` reflections.
 template <class Real, bool renormalises>
 Vec3<Real> after_reflections(Ray<Real> ray, int depth) {
   for (int i = 0; i < depth; ++i) {

@@ -1,4 +1,4 @@
-// Embree 3's intersections, as methods of the atlas: in float, the one real type that it has.
+// Embree 3's intersections, as methods of the atlas. They are in float, the one real type that it has.
 #pragma once
 
 #include <optional>
@@ -9,10 +9,10 @@
 
 namespace plumb::references::stability {
 
-/// "Embree 3.13.5"; empty when it is not on this machine.
+/// Returns e.g. "Embree 3.13.5"; empty when it is not on this machine.
 const std::string& embree_version();
 
-// Each makes a scene of the one shape, for the one ray. All throw Unavailable when Embree is missing.
+// Each makes a scene of one shape for one ray. All throw Unavailable when Embree is missing.
 
 std::optional<float> embree_sphere(const Ray<float>& ray, const Vec3<float>& center, float radius,
                                    bool starts_on_it);

@@ -1,4 +1,4 @@
-// Finished rows of a sweep, so that one that was broken off goes on where it was.
+// Keeps finished rows of a sweep, so that one that was broken off goes on where it was.
 #pragma once
 
 #include <string>
@@ -7,13 +7,13 @@
 
 namespace plumb::references::stability {
 
-/// Files in a directory, each named by all that determines its row.
+/// Each row is a file in a directory; all that determines the row is in the file's name.
 class Kept {
  public:
   /// An empty directory keeps nothing.
   Kept(std::string directory, bool quick) : directory_(std::move(directory)), quick_(quick) {}
 
-  /// Fills in what was measured; false when it is not there, or not readable.
+  /// Fills in what was measured. Returns false when it is not there or not readable.
   bool find(const std::string& condition, const std::string& renderer, Row& row) const;
   void keep(const std::string& condition, const std::string& renderer, const Row& row) const;
 

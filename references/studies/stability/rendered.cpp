@@ -39,7 +39,7 @@ double relative_error(double value, double truth) {
   return std::isfinite(error) ? error : std::numeric_limits<double>::infinity();
 }
 
-/// To the nearest of the answers, worst of the components.
+/// Returns the error to the nearest of the answers: that of the worst component.
 double error_of(const float* value, const Answers& answers) {
   double worst = 0;
   for (std::size_t c = 0; c < 3; ++c) {

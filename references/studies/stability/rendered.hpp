@@ -1,4 +1,4 @@
-// Whole pictures of a condition, held against the oracle pixel by pixel.
+// Probes a condition with complete pictures, compared with the oracle pixel by pixel.
 #pragma once
 
 #include <memory>
@@ -22,7 +22,7 @@ RendererOfWorlds by_povray(bool rescaled);
 /// POV-Ray, in the scene's own units, with other blocks of pixels and one thread.
 RendererOfWorlds by_povray_in_other_blocks();
 
-/// "POV-Ray 3.7.0.10.unofficial", asked once; empty when there is none.
+/// Returns e.g. "POV-Ray 3.7.0.10.unofficial", asked once; empty when there is none.
 const std::string& povray_version();
 
 /// A square picture of so many pixels a side. Throws what the renderer throws.

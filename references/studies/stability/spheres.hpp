@@ -15,12 +15,12 @@ struct SphereCase {
   Real radius;
 };
 
-/// What a condition says in numbers: lengths, in double.
+/// What a condition means in numbers: lengths, in double.
 struct SphereSetting {
   Vec3<double> center;
   double radius;
-  double distance;  ///< of the eye from the centre
-  double impact;    ///< of the aim from the centre, over the radius
+  double distance;  ///< from the eye to the centre
+  double impact;    ///< from the aim to the centre, over the radius
 };
 
 /// A clear hit: within 0.9 of the radius, spread evenly over the disc.
@@ -66,13 +66,13 @@ Experiment sphere_trial(IntersectSphere<Real> intersect, SphereAt setting) {
   };
 }
 
-/// How a ray is kept off the surface that it starts on.
+/// The way in which a ray is kept off the surface that it starts on.
 template <class Real>
 struct Start {
   Vec3<Real> (*origin)(const Vec3<Real>&, const Vec3<Real>&, const Vec3<Real>&);
   bool (*is_ahead)(Real, Real);
   bool knows_its_surface;
-  bool refines = false;  ///< puts the point back onto the sphere first
+  bool refines = false;  ///< true: puts the point back onto the sphere first
 };
 
 template <class Real>
@@ -102,7 +102,7 @@ Trial start_trial(const Start<Real>& way, const SphereCase<Real>& c, IntersectSp
   trial.self_shadow = meets(out).has_value();
   const Real chord = 2 * c.radius * glm::dot(out, n);
   const auto far_side = meets(-out);
-  trial.missed = !far_side && chord > c.radius / 100;  // shorter ones are lost in rounding by right
+  trial.missed = !far_side && chord > c.radius / 100;  // shorter chords are rightly lost in rounding
   return trial;
 }
 

@@ -55,7 +55,7 @@ class Sweeper {
     return all;
   }
 
-  /// All at once, because another program is waited for.
+  /// Probes all values at once, because another program is waited for.
   void fetch(const std::vector<double>& values) {
     std::mutex mutex;
     in_parallel(values.size(), 8, [&](std::size_t i) {
@@ -90,7 +90,7 @@ class Sweeper {
   bool makes_pictures_;
   int size_;
   int points_;
-  int steps_;  ///< 6: 2 % of a decade, finer than the spread between seeds; 4: 7 %, as a picture takes long
+  int steps_;  ///< 6: 2 % of a decade, finer than the spread between seeds; 4: 7 %, pictures take long
   std::map<double, Outcome> known_;
 };
 
@@ -165,7 +165,7 @@ std::vector<Condition> stability(const Sweep& sweep) {
         tasks.push_back({&entries[i], &method, &variant, &*row++});
     }
   }
-  // Those that wait for another program begin first.
+  // Tasks that wait for another program begin first.
   std::stable_partition(tasks.begin(), tasks.end(),
                         [](const Task& t) { return t.method->measures == Measure::pixels; });
   const Kept kept(sweep.cache, sweep.quick);

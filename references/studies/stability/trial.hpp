@@ -1,4 +1,4 @@
-// One ray of a sweep, traced by a method in one real type and judged by 113 bits.
+// One ray of a sweep: a method traces it in one real type, and 113 bits judge it.
 #pragma once
 
 #include <cmath>
@@ -16,36 +16,36 @@ namespace plumb::references::stability {
 
 using Random = std::mt19937_64;
 
-/// What became of one ray. Errors are infinite where no number came out.
+/// What became of one ray. An error is infinite where no number came out.
 struct Trial {
-  bool counts = true;  ///< false: rounding the inputs left no question to ask
+  bool counts = true;  ///< false: the rounding of the inputs left no question to ask
   bool missed = false;
   bool self_shadow = false;
-  double ulps = 0;      ///< error of t in units in the last place of the real type; 0 of other measures
-  double relative = 0;  ///< error as a share: of t, of the bend, of the unit
+  double ulps = 0;      ///< error of t in units in the last place of the real type; else 0
+  double relative = 0;  ///< error as a share of t, of the bend or of the unit
 };
 
-/// A ray of the condition at that value.
+/// Traces one ray of the condition at that value.
 using Experiment = std::function<Trial(double value, Random&)>;
 
-/// What a probe counts, and what its error is one of.
+/// What a probe counts, and of what its error is one.
 enum class Measure { t, direction, point, pixels };
 
 /// What became of many rays, or of all pixels of a picture, at one value: the worst of each.
 struct Outcome {
-  bool counts = false;  ///< whether there was any question to ask
+  bool counts = false;  ///< true if there was any question to ask
   bool missed = false;
   bool self_shadow = false;
   double ulps = 0;
   double relative = 0;
-  double wrong = 0;  ///< share of those that count: rays that miss, meet themselves or are 1 % off; pixels
-                     ///< over 1e-6
+  double wrong = 0;  ///< share of those that count: rays missed, self-shadowed or 1 % off; wrong pixels
 };
 
-/// Asks with so many rays, or rows of a picture. May be called from several threads. Throws Unavailable.
+/// Runs `size` rays, or a picture of `size` rows, at this value. Several threads may call it. Throws
+/// Unavailable.
 using Probe = std::function<Outcome(double value, int size)>;
 
-/// Another renderer is not on this machine; the message says which, and how to get it.
+/// Thrown when another renderer is not on this machine. The message says which, and how to get it.
 class Unavailable : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -75,8 +75,8 @@ Trial judged(const std::optional<Real>& t, const std::optional<Quad>& truth) {
   return trial;
 }
 
-/// The first t > 0 on a sphere, by the foot of the perpendicular from its centre; written apart from all
-/// methods, which it judges.
+/// Returns the first t > 0 on a sphere, by the foot of the perpendicular from its centre. It shares nothing
+/// with the methods that it judges.
 template <class Real>
 std::optional<Quad> true_sphere_hit(const Ray<Real>& ray, const Vec3<Real>& center, Real radius) {
   const Vec3<Quad> d(ray.direction);
@@ -87,13 +87,13 @@ std::optional<Quad> true_sphere_hit(const Ray<Real>& ray, const Vec3<Real>& cent
   const Quad room = Quad(radius) * Quad(radius) - gap.x * gap.x - gap.y * gap.y - gap.z * gap.z;
   if (room < 0) return std::nullopt;
   const Quad half = sqrt(room / d_d);
-  // Of a ray that starts on the sphere one of both is 0, but for the rounding of their sum: 113 bits of it.
+  // For a ray that starts on the sphere, one of both is 0 but for the rounding of their sum: 113 bits of it.
   const Quad zero = Quad(0x1p-100) * (abs(foot) + half);
   if (foot - half > zero) return foot - half;
   return foot + half > zero ? std::optional<Quad>(foot + half) : std::nullopt;
 }
 
-/// The first t > 0 on a box: of all six planes, those points that lie within the other four, exactly.
+/// Returns the first t > 0 on a box, from where the ray enters and leaves the space between each two planes.
 template <class Real>
 std::optional<Quad> true_box_hit(const Ray<Real>& ray, const Vec3<Real>& low, const Vec3<Real>& high) {
   std::optional<Quad> enter, leave;

@@ -30,7 +30,7 @@ Material mirror() {
   return material;
 }
 
-/// Against blue, lit from beside the eye; what is in view lies within `radius` of `center`.
+/// A scene against blue, lit from beside the eye. What is in view lies within `radius` of `center`.
 World world(const Vec3d& center, double radius, double distance) {
   World w;
   w.camera.eye = center + distance * away;
@@ -58,7 +58,7 @@ World placed(const Steps& steps) {
   return w;
 }
 
-/// So far as many transforms have moved a ball, the eye follows it.
+/// A ball that v transforms have moved far; the eye follows it.
 World nested_world(double v) {
   const Steps steps = nested(v);
   const auto moved = transform_of<Quad>(steps).matrix;
@@ -77,7 +77,7 @@ World plate(double v) {
 
 constexpr double narrowest = 1e-6;  // of a field of view, in degrees: a double still tells its pixels apart
 
-/// The silhouette of a ball, so near that most angles to the surface are about 1/v.
+/// The silhouette of a ball, seen from so near that most angles to the surface are about 1/v.
 std::optional<World> silhouette(double v) {
   World w = ball(Vec3d(0), 1, 3);
   const Vec3d side = glm::normalize(glm::cross(away, Vec3d(0, 1, 0)));
@@ -87,7 +87,7 @@ std::optional<World> silhouette(double v) {
   return w.camera.fov_x_degrees < narrowest ? std::nullopt : std::optional(w);
 }
 
-/// An edge of a cube, from where 1/v of it fills the picture.
+/// An edge of a cube, seen from where 1/v of it fills the picture.
 std::optional<World> edge(double v) {
   World w = world(Vec3d(0), 1.8, 6);
   w.scene.shapes.push_back({"cube", Box{Vec3d(-1), Vec3d(1), 0}, {}});
@@ -96,7 +96,7 @@ std::optional<World> edge(double v) {
   return w.camera.fov_x_degrees < narrowest ? std::nullopt : std::optional(w);
 }
 
-/// Two white balls within a ball that mirrors, reflected so many times.
+/// Two white balls within a ball that mirrors, seen through this number of reflections.
 World mirrors(double depth) {
   World w = world(Vec3d(0), 0.7, 0.7);
   w.depth = static_cast<int>(std::clamp(depth, 1.0, 256.0));
@@ -120,7 +120,7 @@ World thin_glass(double v) {
   return w;
 }
 
-/// A box of glass that all but stands on the floor.
+/// A box of glass that nearly stands on the floor.
 World gap(double v) {
   World w = world(Vec3d(0), 1.5, 5);
   w.scene.materials.push_back(glass());

@@ -1,4 +1,4 @@
-// Small scenes, each under one condition, for renderers that make whole pictures.
+// Small scenes, each under one condition, for renderers that make complete pictures.
 #pragma once
 
 #include <optional>
@@ -11,14 +11,14 @@ namespace plumb::references::stability {
 struct World {
   Scene scene;
   Camera camera;
-  int depth = 8;  ///< of reflections
+  int depth = 8;  ///< greatest number of reflections
 };
 
-/// A picture that is under the condition as a whole; nothing where a condition is one of single rays.
+/// Returns a picture all of which is under the condition; nothing where a condition is one of single rays.
 std::optional<World> world_of(const std::string& condition, double value);
 
-/// Where the rays of such a condition are seen: an edge or a silhouette from nearby. Nothing where no picture
-/// shows it, or not at that value.
+/// Returns where the rays of such a condition are seen: an edge or a silhouette from nearby. Nothing where no
+/// picture shows it, or not at that value.
 std::optional<World> close_up_of(const std::string& condition, double value);
 
 }  // namespace plumb::references::stability
