@@ -13,7 +13,7 @@ namespace {
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n'; }
 
-/// The rest of a quoted part, from behind its opening quote; leaves `at` on the closing one.
+/// Returns the rest of a quoted part, from behind its opening quote. Leaves `at` on the closing one.
 std::string quoted(std::string_view command, std::size_t& at) {
   const char quote = command[at++];
   std::string text;

@@ -1,4 +1,4 @@
-// The command of a tracer, as its user wrote it, made into arguments: no shell ever reads it.
+// Splits the command of a tracer, as its user wrote it, into arguments. No shell ever reads it.
 #pragma once
 
 #include <map>
@@ -8,14 +8,14 @@
 
 namespace plumb::references {
 
-/// Splits at blanks; '...' keeps all, "..." and a bare \ keep the next character after a \. Nothing else has
-/// a meaning: no variable, no pattern, no pipe. Throws std::invalid_argument for an open quote or no word.
+/// Splits at blanks. '...' keeps all; "..." and a bare \ keep the character after a \. Nothing else has a
+/// meaning: no variable, no pattern, no pipe. Throws std::invalid_argument for an open quote or no word.
 std::vector<std::string> split_command(std::string_view command);
 
-/// Whether an argument holds {name}.
+/// True if an argument holds {name}.
 bool mentions(const std::vector<std::string>& arguments, std::string_view name);
 
-/// Each {name} within an argument becomes its value, once: what a value holds is not looked at again.
+/// Replaces each {name} within an argument by its value, once. Values are not searched again.
 std::vector<std::string> substituted(const std::vector<std::string>& arguments,
                                      const std::map<std::string, std::string>& values);
 

@@ -19,14 +19,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// because a header of 20 bytes can promise any number of pixels
+/// The most pixels of a picture, because a header of 20 bytes can promise any number.
 constexpr std::int64_t most_pixels = std::int64_t{1} << 26;
 
 JudgedScene scene_of(const Shot& shot) {
   return {fs::path(shot.file).stem().string(), read_file(shot.file), shot.scene};
 }
 
-/// As the render line names it, unless that leads into a directory, which is not there.
+/// Returns the name in the render line or, if that is unusable, e.g. leads into a directory, the scene's.
 std::string image_name(const JudgedScene& scene) {
   const fs::path named = scene.scene.renders.front().file;
   const bool is_plain = !named.empty() && named == named.filename() && named != scene.name + ".sdf" &&
@@ -34,7 +34,7 @@ std::string image_name(const JudgedScene& scene) {
   return is_plain ? named.string() : scene.name + ".ppm";
 }
 
-/// Names that the copy of the picture had are of no use to a reader.
+/// Replaces names of the picture's copy, which are of no use to a reader.
 std::string without_path(std::string message, const std::string& file, const std::string& name) {
   const std::size_t at = message.find(file);
   return at == std::string::npos ? message : message.replace(at, file.size(), name);
@@ -57,7 +57,7 @@ std::string what_was_left(const PixelRows& rows) {
   return text.empty() ? text : "not compared of the renderer's picture: " + text;
 }
 
-/// What an image of three floats can stand for: alpha says nothing where it is 1 everywhere.
+/// Throws unless an image of three floats can stand for it. Alpha says nothing where it is 1 everywhere.
 void expect_colours(const PixelRows& rows, const std::string& file) {
   const std::vector<std::string>& names = rows.contents.channels;
   const bool has_alpha = rows.channels == 4 && (names.size() != 4 || names[3] == "A");

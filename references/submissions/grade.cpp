@@ -35,7 +35,7 @@ std::string one_line(std::string text) {
   return text.substr(0, 300);
 }
 
-/// Nothing when the file holds no picture of the scene's size; then the verdict says why.
+/// Returns nothing when the file holds no picture of the scene's size. The verdict then says why.
 std::optional<ImageFile> read_picture(const std::string& file, const JudgedScene& scene,
                                       JudgedPicture& result) {
   const RenderRequest& asked = scene.scene.renders.front();
@@ -126,7 +126,7 @@ void set_trouble(JudgedPicture& result, const std::string& what) {
   result.message = one_line(what);
 }
 
-/// All submissions of a class on all scenes, each pair a task.
+/// Judges all submissions of a class on all scenes; each pair is a task.
 class Class {
  public:
   Class(const std::vector<Submission>& submissions, const std::vector<JudgedScene>& scenes,
@@ -197,7 +197,8 @@ class Class {
     return true;
   }
 
-  /// Ctrl-C reaches the program that runs, too, and may end it before we know.
+  /// True if no more is to be judged. Ctrl-C also reaches the program that runs, and may end it before we
+  /// know, so this waits a moment.
   bool was_interrupted(const JudgedPicture& result) const {
     const bool may_be = result.verdict == Judged::crashed || result.verdict == Judged::trouble;
     if (may_be && !options_.command.empty()) std::this_thread::sleep_for(std::chrono::milliseconds(20));

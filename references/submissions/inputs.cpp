@@ -29,8 +29,8 @@ bool is_picture_name(const fs::path& path) {
   return std::find(all.begin(), all.end(), extension_of(path.string())) != all.end();
 }
 
-/// A link that is handed in is not followed: it may lead to what is not the submission's. It is told when it
-/// is judged.
+/// A link that is handed in is not followed, because it may lead to what is not the submission's. Judging it
+/// reports the link.
 Submission submission_at(const fs::path& path) {
   return {shown_name(path.filename().string()),
           (fs::canonical(path.parent_path()) / path.filename()).string()};

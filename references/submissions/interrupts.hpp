@@ -1,10 +1,10 @@
-// Ctrl-C while a class is judged: what is done is kept and written, what runs is ended.
+// Handles Ctrl-C while a class is judged: what is done is kept and written, what runs is ended.
 #pragma once
 
 namespace plumb::references {
 
-/// While it lives, the first SIGINT, SIGTERM or SIGHUP is remembered and no more; a second one ends the
-/// program as it would have without. One at a time.
+/// While it lives, the first SIGINT, SIGTERM or SIGHUP is only remembered. A second one ends the program as
+/// it would have before. Only one may live at a time.
 class Interrupts {
  public:
   Interrupts();
@@ -15,7 +15,7 @@ class Interrupts {
   static bool came();
 };
 
-/// Kills all that this process has started, and what that has started.
+/// Kills all processes that this one has started, and all that those have started.
 void kill_children();
 
 }  // namespace plumb::references

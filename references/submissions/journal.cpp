@@ -44,7 +44,7 @@ Journal::Journal(const std::string& path) : path_(path), file_(open_journal(path
   read_lines();
 }
 
-/// Lines are looked at one by one: those of pictures are long.
+/// Reads line by line, because lines with pictures are long.
 void Journal::read_lines() {
   std::ifstream in(path_, std::ios::binary);
   std::string line;

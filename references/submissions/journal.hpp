@@ -1,5 +1,5 @@
-// Results kept in a file as they come, so that an interrupted run goes on where it was: one line of JSON
-// each.
+// Keeps results in a file as they come, one line of JSON each, so that an interrupted run goes on where it
+// was.
 #pragma once
 
 #include <cstdint>
@@ -17,15 +17,15 @@ namespace plumb::references {
 /// All functions may be called from several threads at once.
 class Journal {
  public:
-  /// Opens the file, or makes it. A last line that is not whole, as a killed run leaves it, is cut off.
-  /// Throws std::runtime_error when the file is something else, cannot be written, or is another run's.
+  /// Opens the file, or makes it. Cuts off an incomplete last line, as a killed run leaves it. Throws
+  /// std::runtime_error when the file is something else, cannot be written, or is another run's.
   explicit Journal(const std::string& path);
 
-  /// Lines that were there when it was opened.
+  /// Number of lines that were there when it was opened.
   std::size_t found() const { return found_; }
   const std::string& path() const { return path_; }
 
-  /// The result of that key, or nothing.
+  /// Returns the result of that key, or nothing.
   std::optional<JudgedPicture> find(const std::string& key) const;
 
   /// Appends the result and its pictures, where there are any, and sets picture.kept. Throws
@@ -36,7 +36,7 @@ class Journal {
   /// The pictures of a result that find() or keep() has seen; nothing when none were kept.
   std::optional<html::ThreePictures> pictures_of(const JudgedPicture& picture) const;
 
-  /// Removes the file: all is done.
+  /// Removes the file, once all is done.
   void remove();
 
  private:

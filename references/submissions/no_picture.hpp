@@ -1,4 +1,4 @@
-// What a program did instead of writing the picture that was asked for.
+// Tells what a program did instead of writing the picture that was asked for.
 #pragma once
 
 #include <string>
@@ -6,15 +6,15 @@
 
 namespace plumb::references {
 
-/// The kind of image that begins in what was printed, at its beginning or at that of a line, e.g. "PPM (P3)";
-/// empty when there is none.
+/// Returns the kind of image that begins in what was printed, at its beginning or at that of a line, e.g.
+/// "PPM (P3)"; empty when there is none.
 std::string printed_image(const std::string& printed);
 
-/// Names of the files left below the directory, as they can be shown, but for this one; the first few.
+/// Returns the names of the first few files left below the directory, except `but`, as they can be shown.
 std::vector<std::string> files_left_in(const std::string& directory, const std::string& but);
 
-/// In words: the image was printed, other files were written, or nothing was; and what to do. `expected`
-/// lists the names that are looked for.
+/// Says that the image was printed, that other files were written, or that nothing was; and what to do.
+/// `expected` lists the names that are looked for.
 std::string why_no_picture(const std::string& printed, const std::vector<std::string>& left,
                            const std::string& expected);
 

@@ -12,26 +12,26 @@
 
 namespace plumb::references {
 
-/// How much is told of a fault: 1 its slide, 2 what is wrong there, 3 the formula, too.
+/// How much is told of a fault: 1 its slide, 2 what is wrong there, too, 3 the formula, too.
 using HintLevel = int;
 
-/// What a fault is called at that level, in one line.
+/// Returns what a fault is called at that level, in one line.
 std::string named(const Fault& fault, HintLevel hint);
 
-/// The same, with those that give the same picture in its place, of which a few are named at level 3, and how
-/// sure it is.
+/// Returns the same, with the faults that give the same picture in its place (level 3 names a few of them),
+/// and how sure it is.
 std::string found_in_words(const FoundFault& found, HintLevel hint);
 
 /// What holds for a run as a whole.
 struct RunFacts {
   std::optional<std::uint64_t> seed;     ///< of --shuffle
-  std::vector<std::string> unvaried;     ///< scenes that were judged as they are in spite of it
+  std::vector<std::string> unvaried;     ///< scenes that were judged unchanged in spite of it
   std::vector<std::string> of_no_scene;  ///< pictures_of_no_scene(), which nobody judged
   std::string not_enforced;              ///< limits_not_enforced(), of a run that confines programs
   const Journal* journal = nullptr;      ///< holds the pictures; may be null
 };
 
-/// How many have a verdict.
+/// Returns the number of pictures that have a verdict.
 std::size_t judged_count(const std::vector<JudgedPicture>& all);
 
 nlohmann::ordered_json overview_json(const std::vector<JudgedPicture>& all, HintLevel hint,
@@ -40,7 +40,7 @@ nlohmann::ordered_json overview_json(const std::vector<JudgedPicture>& all, Hint
 /// A line per picture, RFC 4180; a cell that a spreadsheet would take for a formula gets a ' before it.
 std::string overview_csv(const std::vector<JudgedPicture>& all, HintLevel hint);
 
-/// A suite with a case per picture; trouble and what was not judged are errors, not failures.
+/// Returns a suite with a case per picture. Trouble and what was not judged are errors, not failures.
 std::string overview_junit(const std::vector<JudgedPicture>& all, HintLevel hint);
 
 /// Writes index.html, a page per submission, and at level 3 faults.html with a lesson on each fault found.

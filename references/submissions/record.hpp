@@ -1,4 +1,4 @@
-// One result as JSON that holds all of it, for the journal; reports have JSON of their own.
+// Writes one result as JSON that holds all of it, for the journal; reports have JSON of their own.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -9,7 +9,7 @@ namespace plumb::references {
 
 nlohmann::ordered_json record_of(const JudgedPicture& picture);
 
-/// Throws std::exception when the record is another version's.
+/// Throws std::exception when another version wrote the record.
 JudgedPicture picture_of_record(const nlohmann::ordered_json& record);
 
 }  // namespace plumb::references

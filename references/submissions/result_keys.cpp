@@ -11,7 +11,7 @@
 namespace plumb::references {
 namespace {
 
-/// Each text with its length before it, so that no two lists give the same.
+/// Joins texts, each behind its length, so that no two lists give the same text.
 std::string joined(const std::vector<std::string>& texts) {
   std::string all;
   for (const std::string& text : texts) all += std::to_string(text.size()) + ":" + text;

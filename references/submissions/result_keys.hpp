@@ -1,4 +1,4 @@
-// What a result depends on, as one short text: with an equal one it need not be made again.
+// What a result depends on, as one short text. While it is equal, the result need not be made again.
 #pragma once
 
 #include <map>
@@ -10,14 +10,15 @@
 
 namespace plumb::references {
 
-/// May be asked from several threads at once.
+/// Its functions may be called from several threads at once.
 class ResultKeys {
  public:
   /// `options` must outlive it.
   explicit ResultKeys(const JudgeOptions& options);
 
-  /// SHA-256 of this program, the options, the scene, and the state of all files of the submission and of the
-  /// command, as far as a run sees them. Throws std::runtime_error when one of those is gone.
+  /// Returns the SHA-256 of this program, the options, the scene, and the state of all files of the
+  /// submission and of the command, as far as a run sees them. Throws std::runtime_error when one of those is
+  /// gone.
   std::string of(const Submission& submission, const JudgedScene& scene);
 
  private:
@@ -25,9 +26,9 @@ class ResultKeys {
   std::string state_of_file(const std::string& path);
 
   const JudgeOptions& options_;
-  std::vector<std::string> hidden_;  ///< from all runs: it may change
+  std::vector<std::string> hidden_;  ///< from all runs, so that it may change
   std::string common_;
-  std::map<std::string, std::string> files_;  ///< by path: large ones are looked at once
+  std::map<std::string, std::string> files_;  ///< by path, so that large ones are looked at once
   std::mutex mutex_;
 };
 

@@ -26,7 +26,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Homes and top directories hold more than a program and what lies beside it.
+/// True if a directory may be shown. Homes and top directories hold more than a program and what lies beside
+/// it.
 bool is_a_room_of_its_own(const fs::path& directory) {
   const char* const home = std::getenv("HOME");
   const fs::path above = directory.parent_path();
@@ -39,8 +40,8 @@ bool is_plumb(const fs::path& file) {
   return fs::equivalent(file, "/proc/self/exe", none);
 }
 
-/// What may be read for a word of the command that names a file: its directory, for what lies beside a
-/// program; the file alone where that directory is a home or the like, or holds all submissions. Plumb is
+/// Adds what may be read for a word of the command that names a file: its directory, for what lies beside a
+/// program; or the file alone where that directory is a home or the like, or holds all submissions. Plumb is
 /// shown to a run of plumb that was asked for.
 void allow(const std::string& word, const JudgeOptions& options, std::vector<std::string>& readable) {
   std::error_code none;
@@ -81,7 +82,7 @@ SandboxView view_for(const Submission& submission, const JudgeOptions& options, 
   return view;
 }
 
-/// Runs beside each other, but for one that has to be alone.
+/// Lets runs go side by side, except one that has to be alone.
 class Runway {
  public:
   SandboxRun run_beside_others(const std::function<SandboxRun()>& run) {
@@ -101,7 +102,7 @@ class Runway {
   std::shared_mutex runway_;
 };
 
-/// What timed out because others had the cores runs once more, alone.
+/// Runs the command, and once more, alone, when it timed out because others had the cores.
 SandboxRun fair_run(const std::vector<std::string>& command, const SandboxView& view,
                     const SandboxLimits& limits) {
   static Runway runway;
@@ -156,8 +157,9 @@ std::string last_words(const std::string& printed) {
   return "; its last words: " + printed.substr(begin, std::min(longest, end + 1 - begin));
 }
 
-/// Run as root, programs become somebody else: what its owner alone may read or execute would have run for
-/// the owner. `words` are of the command; of the submission the first files are looked at.
+/// Programs of root run as somebody else. What only its owner may read or execute would have run for the
+/// owner, so this complains of it. `words` are those of the command; in the submission it looks at the first
+/// files.
 void require_open_to_others(const std::vector<std::string>& words, const std::string& submission) {
   if (geteuid() != 0) return;
   constexpr int most_files = 10'000;

@@ -1,4 +1,4 @@
-// One run of somebody's tracer on one scene.
+// Runs somebody's tracer on one scene.
 #pragma once
 
 #include <string>
@@ -8,27 +8,27 @@
 
 namespace plumb::references {
 
-/// By which a picture that is handed in is known, in lower case and in upper case.
+/// Returns the extensions by which a picture that is handed in is known, in lower case and in upper case.
 std::vector<std::string> picture_extensions();
 
-/// Throws std::runtime_error when nothing can be confined as the runs of this submission are.
+/// Throws std::runtime_error when the runs of this submission cannot be confined.
 void require_confined_runs(const Submission& submission, const JudgeOptions& options);
 
-/// Fills in what the run tells; the picture, when there is one, is then the regular file that is returned, in
-/// `own_directory`, out of the program's reach. Empty when there is none: then the verdict says why.
+/// Runs the tracer and fills in what the run tells. Returns the picture: a regular file in `own_directory`,
+/// out of the program's reach. Empty when there is none; the verdict then says why.
 std::string picture_of_run(const Submission& submission, const JudgedScene& scene,
                            const JudgeOptions& options, const std::string& own_directory,
                            JudgedPicture& result);
 
-/// The picture of that scene in the submission's directory, NAME and an image's extension; as above.
+/// Returns, likewise, the picture of that scene in the submission's directory: NAME and an image's extension.
 std::string picture_handed_in(const Submission& submission, const JudgedScene& scene,
                               const JudgeOptions& options, const std::string& own_directory,
                               JudgedPicture& result);
 
-/// What the command's words and --readable let every run see, beside its submission.
+/// Returns what the command's words and --readable let every run see, besides its submission.
 std::vector<std::string> files_of_command(const JudgeOptions& options);
 
-/// What no run sees in there: the submissions, but for its own, and the results of this and earlier runs.
+/// Returns what no run sees in there: submissions, except its own, and the results of this and earlier runs.
 std::vector<std::string> hidden_from_runs(const JudgeOptions& options);
 
 }  // namespace plumb::references

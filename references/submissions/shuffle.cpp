@@ -13,7 +13,7 @@ namespace plumb::references {
 namespace {
 
 constexpr int most_tries = 40;
-/// because the last of the tries then varies numbers by a fiftieth of what the first does
+/// The factor of each next try, because the last one then varies numbers by a fiftieth of the first.
 constexpr double less_each_time = 0.9;
 
 /// What the scene is judged by: its right picture, and which faults are seen in it.
@@ -43,7 +43,7 @@ class Shown {
   teaching::Handed right_;
 };
 
-/// Its numbers follow from seed, name and try alone, on every machine.
+/// Returns numbers that follow from seed, name and try alone, on every machine.
 std::mt19937_64 generator(const JudgedScene& scene, std::uint64_t seed, int tried) {
   std::vector<std::uint32_t> all{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32),
                                  static_cast<std::uint32_t>(tried)};

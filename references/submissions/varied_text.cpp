@@ -13,7 +13,8 @@
 namespace plumb::references {
 namespace {
 
-/// because shadows and highlights then move by some pixels of a small picture, and objects stay in view
+/// The share of a radius, because shadows and highlights then move by some pixels of a small picture, and
+/// objects stay in view.
 constexpr double of_a_radius = 0.2;
 constexpr double of_an_edge = 0.06;
 constexpr double of_a_light = 0.1;
@@ -71,7 +72,7 @@ class Words {
 
 using Names = std::map<std::string, std::string>;
 
-/// New names, none twice in the whole scene.
+/// Makes new names, no two of which are equal in a scene.
 class NewNames {
  public:
   NewNames(const Variation& variation, std::size_t count)
@@ -147,7 +148,7 @@ class TextVariation {
     words.set(at, made);
   }
 
-  /// What is 0 stays: that something lies on an axis or stands upright may be what matters.
+  /// Moves a position. What is 0 stays, because lying on an axis or standing upright may be what matters.
   void position(Words& words, std::size_t at, const Vec3d& reach) const {
     const auto old = words.triple(at);
     if (!old) return;
@@ -217,7 +218,7 @@ class TextVariation {
     if (const auto old = words.triple(at + 2)) position(words, at + 2, Vec3d(of_a_way * glm::length(*old)));
   }
 
-  /// The camera comes first, but for loose spellings, where the file may.
+  /// The camera comes first, except in loose spellings, where the file may.
   void render(Words& words, std::size_t at) const {
     const bool is_first = at < words.size() && cameras_.contains(words[at]);
     rename(cameras_, words, is_first ? at : at + 1);

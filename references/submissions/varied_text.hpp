@@ -1,4 +1,4 @@
-// A scene's text with other numbers and names, in the same words, order and dialect.
+// Writes a scene's text with other numbers and names, in the same words, order and dialect.
 #pragma once
 
 #include <array>
@@ -14,16 +14,16 @@ namespace plumb::references {
 
 /// How much is varied.
 struct Variation {
-  std::function<double()> random;             ///< -1 to 1, evenly
-  double places = 1;                          ///< by how much positions and sizes vary; 0: not at all
-  double colours = 1;                         ///< likewise
+  std::function<double()> random;             ///< returns -1 to 1, evenly
+  double places = 1;                          ///< how much positions and sizes vary; 0: not at all
+  double colours = 1;                         ///< how much colours vary
   std::array<std::size_t, 3> order{0, 1, 2};  ///< which channel of a colour becomes red, green and blue
 };
 
-/// Positions, radii, corners, field of view and colours vary; a number that is 0 stays, as do exponents,
-/// indices of refraction, scales, angles and sizes of pictures, which scenes are about. Materials, lights,
-/// cameras, spheres and boxes get new names; composites keep theirs, for some tracers look for one of them.
-/// Comments go, since they may name the scene. `scene` is what the text was read as.
+/// Positions, radii, corners, field of view and colours vary. A number that is 0 stays, and so do exponents,
+/// indices of refraction, scales, angles and sizes of pictures, because scenes are about those. Materials,
+/// lights, cameras, spheres and boxes get new names; composites keep theirs, because some tracers look for
+/// one of them. Comments go, because they may name the scene. `scene` is what the text was read as.
 std::string varied_text(std::string_view text, const Scene& scene, const Variation& variation);
 
 }  // namespace plumb::references

@@ -30,7 +30,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// because a machine that is busy with other runs takes a second
+/// The time limit, because a machine that is busy with other runs may take a second.
 constexpr auto longest_setup = std::chrono::seconds(60);
 constexpr auto longest_end = std::chrono::seconds(60);
 
@@ -70,7 +70,7 @@ struct Inherited {
   int output, status, release, filter, group;
 };
 
-/// Descriptors 0 to 5 are what `bwrap` is told that they are, and there are no others.
+/// Gives descriptors 0 to 5 the meaning that `bwrap` is told, and closes all others.
 bool set_descriptors(const Inherited& given) {
   const int wanted[] = {
       open("/dev/null", O_RDONLY), given.output, given.output, given.status, given.release, given.filter};
@@ -86,24 +86,25 @@ bool set_descriptors(const Inherited& given) {
   static char* const no_environment[] = {nullptr};
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (given.group >= 0 && write(given.group, "0", 1) != 1) _exit(126);
-  setpriority(PRIO_PROCESS, 0, 10);  // so that a bomb does not hold up who watches it
+  setpriority(PRIO_PROCESS, 0, 10);  // so that a bomb does not hold up the process that watches it
   if (!set_descriptors(given)) _exit(126);
   limit(RLIMIT_CORE, 0);
   limit(RLIMIT_CPU, static_cast<std::size_t>(limits.cpu_seconds) + 1);
-  // The program has a limit of its own; with this one the kernel counts all runs of our user together.
+  // The program has its own limit; with this one the kernel would count all runs of our user together.
   limit(RLIMIT_NPROC, RLIM_INFINITY);
   for (const int number : {SIGXFSZ, SIGPIPE}) signal(number, SIG_DFL);
   execve(arguments[0], arguments, no_environment);
   _exit(126);
 }
 
-/// Root's processes are not counted, and root reads all: its runs become somebody who owns nothing else.
+/// Returns a user who owns nothing else. Root's processes are not counted and read all, so its runs become
+/// this user.
 unsigned a_new_user() {
   static std::atomic<unsigned> next = 0;
   return 1'900'000'000U + static_cast<unsigned>(getpid()) % 100'000U * 1000U + next++ % 1000U;
 }
 
-/// The whole number behind the key in bubblewrap's JSON; -1 when it is not there.
+/// Returns the whole number behind the key in bubblewrap's JSON; -1 when it is not there.
 int number_behind(const std::string& text, const std::string& key) {
   const std::size_t at = text.find("\"" + key + "\":");
   return at == std::string::npos

@@ -56,7 +56,8 @@ fs::path own_group() {
   return {};
 }
 
-/// What a killed run left goes when its process is gone; a group with processes in it stays by itself.
+/// Removes the groups of killed runs whose process is gone. A group that still has processes cannot be
+/// removed.
 void remove_left_behind(const fs::path& parent) {
   std::error_code none;
   for (const auto& entry : fs::directory_iterator(parent, none)) {

@@ -1,5 +1,5 @@
-// The kernel's own account of all processes of a run (cgroup v2): what they share, what they leave in memory
-// and what ended long ago is counted, too.
+// The kernel's own account of all processes of a run (cgroup v2). It counts what they share, what they leave
+// in memory and what ended long ago, too.
 #pragma once
 
 #include <cstddef>
@@ -11,21 +11,21 @@
 
 namespace plumb::references {
 
-/// Threads and processes at once: a program may have a thread for each core, and more.
+/// Returns the most threads and processes at once. A program may have a thread for each core, and more.
 std::size_t most_tasks(const SandboxLimits& limits);
 
-/// What groups that we make can do here.
+/// What control groups that we make can do here.
 struct ControlGroups {
-  std::string parent;         ///< the directory that ours are made in; empty when there is none
-  bool keeps_memory = false;  ///< limits of memory are kept
-  bool keeps_tasks = false;   ///< limits of processes and threads are kept
+  std::string parent;         ///< the directory in which ours are made; empty when there is none
+  bool keeps_memory = false;  ///< they keep limits of memory
+  bool keeps_tasks = false;   ///< they keep limits of processes and threads
 };
 
-/// Looked for once: the nearest group around us that keeps both for those within it and lets us make one and
-/// enter it; else the nearest that lets us, which still counts CPU time.
+/// Looks once for the nearest group around us that keeps both for those within it and lets us make one and
+/// enter it. Else takes the nearest that lets us, which still counts CPU time.
 const ControlGroups& control_groups();
 
-/// A group for one run, removed at the end of its scope; does nothing where none can be made.
+/// A group for one run, removed at the end of its scope. It does nothing where none can be made.
 class ControlGroup {
  public:
   explicit ControlGroup(const SandboxLimits& limits);
@@ -33,7 +33,7 @@ class ControlGroup {
   ControlGroup(const ControlGroup&) = delete;
   ControlGroup& operator=(const ControlGroup&) = delete;
 
-  /// A process enters by writing 0 to it; -1 when there is no group.
+  /// A process enters by writing 0 to this descriptor; -1 when there is no group.
   int entrance() const { return entrance_.number(); }
   std::optional<double> cpu_seconds() const;
   bool ran_out_of_memory() const;

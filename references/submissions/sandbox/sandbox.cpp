@@ -20,12 +20,12 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t kept_bytes = std::size_t{16} << 10;
-/// because a fork bomb makes some thousand processes in a tenth of a second
+/// The pause between looks, because a fork bomb makes some thousand processes in a tenth of a second.
 constexpr int watch_milliseconds = 20;
 
-/// Of the seconds that passed: who computes without a pause and has got no more was kept from it.
+/// Share of the time that passed: a program that computes without a pause and got less CPU was kept from it.
 constexpr double most_of_starved = 0.8;
-/// Of the CPU time allowed: what was seen last, some time before the end.
+/// Share of the CPU time allowed, because the last look was some time before the end.
 constexpr double near_cpu_limit = 0.8;
 
 class Watch {
@@ -56,7 +56,7 @@ class Watch {
  private:
   double seconds() const { return std::chrono::duration<double>(Clock::now() - begin_).count(); }
 
-  /// Reading is not held up by looking, and looking not by reading.
+  /// Neither reading delays looking, nor looking reading.
   bool is_due() {
     if (Clock::now() < next_ && printed_ <= limits_.disk_bytes) return false;
     next_ = Clock::now() + std::chrono::milliseconds(watch_milliseconds);
@@ -78,7 +78,7 @@ class Watch {
   Ending ending_by_now() {
     if (printed_ > limits_.disk_bytes || is_disk_full()) return Ending::too_much_output;
     const TreeUsage usage = usage_below(process_.bubblewrap());
-    // Before the time, which may be over because so many processes are looked at.
+    // This comes before the time, which may be over only because so many processes are looked at.
     if (usage.processes > limits_.processes || usage.threads > most_tasks(limits_))
       return Ending::too_many_processes;
     cpu_seconds_ = group_.cpu_seconds().value_or(clock_.after(usage));
@@ -95,7 +95,7 @@ class Watch {
     return disk.free_bytes == 0 || disk.files > files_before_ + limits_.files;
   }
 
-  /// Where the kernel keeps the limit there is nothing to do.
+  /// False where the kernel keeps the limit.
   bool takes_too_much_memory(const TreeUsage& usage) const {
     if (control_groups().keeps_memory) return false;
     const std::size_t unseen = unseen_memory(usage.members) + process_.disk().bytes;
@@ -117,7 +117,8 @@ class Watch {
     set_not_executed();
   }
 
-  /// Or the program ended by itself with the exit code that stands for the signal.
+  /// True near the limit. Far from it the program ended by itself, with the exit code that stands for the
+  /// signal.
   bool is_near_cpu_limit() const {
     return group_.cpu_seconds().value_or(cpu_seconds_) > near_cpu_limit * limits_.cpu_seconds;
   }
@@ -128,7 +129,7 @@ class Watch {
     return getrlimit(RLIMIT_FSIZE, &now) == 0 && now.rlim_cur != RLIM_INFINITY;
   }
 
-  /// setpriv(1) ends so, and names the reason, when the kernel does not execute the program.
+  /// setpriv(1) ends like this, naming the reason, when the kernel does not execute the program.
   void set_not_executed() {
     if (run_.exit_code != 126 && run_.exit_code != 127) return;
     if (!run_.printed.starts_with("setpriv: failed to execute ")) return;

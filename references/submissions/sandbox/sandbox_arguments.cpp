@@ -16,7 +16,7 @@ using Words = std::vector<std::string>;
 
 void add(Words& to, const Words& words) { to.insert(to.end(), words.begin(), words.end()); }
 
-/// /tmp is all that a program writes to but for shared memory, and its size is a limit that the kernel keeps.
+/// A program writes to /tmp only, apart from shared memory. Its size is a limit that the kernel keeps.
 Words own(const std::string& path, const std::string& bytes) {
   if (path == "/proc") return {"--proc", path};
   if (path == "/tmp") return {"--perms", "1777", "--size", bytes, "--tmpfs", path};
@@ -52,8 +52,8 @@ void add_mounts(Words& all, const SandboxView& view, const SandboxLimits& limits
   add(all, {"--remount-ro", "/dev", "--remount-ro", "/"});
 }
 
-/// Behind the watcher, in case that it is late. The kernel counts those of the sandbox's own user namespace
-/// alone, and before Linux 5.14 all of our user, who has some already.
+/// A limit behind the watcher's, in case that is late. The kernel counts the processes of the sandbox's own
+/// user namespace; before Linux 5.14 it counts all of our user, who has some already.
 std::string most_processes(const SandboxLimits& limits, unsigned user) {
   rlimit now{};
   getrlimit(RLIMIT_NPROC, &now);

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// because the kernel follows no more
+/// The most links on a path, because the kernel follows no more.
 constexpr int most_links = 40;
 
 constexpr const char* system_places[] = {"/usr",   "/bin",   "/sbin",   "/lib",
@@ -42,8 +42,8 @@ bool is_closed(const fs::path& path) {
   return geteuid() == 0 && fs::is_directory(status) && (status.permissions() & needed) != needed;
 }
 
-/// Plumb itself, its source, where an installation keeps its data, and the pictures of references: who runs
-/// plumb or copies its pictures has not traced.
+/// Plumb itself, its source, an installation's data, and the pictures of references are hidden: whoever runs
+/// plumb or copies its pictures has not written a tracer.
 std::vector<fs::path> places_of_plumb() {
   const std::vector<std::string> own = own_places();
   std::vector<fs::path> places(own.begin(), own.end());
@@ -59,7 +59,7 @@ class Plan {
  public:
   void set(const fs::path& path, PlaceKind kind) { places_[path] = {kind, {}}; }
 
-  /// The links on the way are made as they are here, so that a path leads where it leads outside.
+  /// Makes the links on the way as they are here, so that a path leads where it leads outside.
   void show(const std::string& given) {
     fs::path real = "/";
     std::deque<fs::path> ahead = names_of(fs::absolute(given));
@@ -115,9 +115,9 @@ class Plan {
   }
 
  private:
-  /// Of a directory that is closed for who root's programs become the entries are shown, in one of the
-  /// sandbox's; links in it may be a student's, and nothing is shown because they lead there. What of it is
-  /// hidden already stays so.
+  /// Where a directory is closed to the user that root's programs become, the sandbox has one of its own that
+  /// shows the entries. Links in it may be a student's, so nothing is shown because they lead there. What is
+  /// hidden of it stays hidden.
   void show_real(const fs::path& real) {
     std::error_code none;
     if (!is_closed(real)) return set(real, PlaceKind::shown);

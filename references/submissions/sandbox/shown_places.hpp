@@ -1,4 +1,4 @@
-// What a confined program sees of this machine: named places, in place of all but a list.
+// What a confined program sees of this machine: places that are named, instead of all but a list.
 #pragma once
 
 #include <filesystem>
@@ -13,8 +13,8 @@ namespace plumb::references {
 bool lies_in(const std::filesystem::path& path, const std::filesystem::path& directory);
 
 enum class PlaceKind {
-  shown,   ///< as it is here, to be read
-  hidden,  ///< an empty directory or an empty file
+  shown,   ///< as it is here, to be read only
+  hidden,  ///< replaced by an empty directory or an empty file
   link,    ///< a symbolic link
   way,     ///< a directory that leads to others
   own      ///< the sandbox makes one of its own: /dev, /proc, /tmp
@@ -26,9 +26,9 @@ struct Place {
   std::string target;  ///< of a link
 };
 
-/// A directory comes before what lies in it, and the deeper of two places counts. What changes nothing is
-/// left out, so that nothing is mounted over what is already right. Paths that do not exist are left out,
-/// too. Throws std::runtime_error when a readable path is the sandbox's own directory.
+/// Returns the places. A directory comes before what lies in it, and the deeper of two places counts. What
+/// changes nothing is left out, so that nothing is mounted over what is already right. Paths that do not
+/// exist are left out, too. Throws std::runtime_error when a readable path is the sandbox's own directory.
 std::vector<Place> places_of(const SandboxView& view);
 
 }  // namespace plumb::references

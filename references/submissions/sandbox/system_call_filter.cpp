@@ -21,7 +21,7 @@ constexpr std::uint32_t own_architecture = AUDIT_ARCH_AARCH64;
 
 constexpr std::uint32_t x32_calls = 0x40000000;  // of x86-64: the same calls under other numbers
 constexpr std::uint32_t namespaces =
-    0x7e020000;  // clone(2): all CLONE_NEW... but time, which only clone3 has
+    0x7e020000;  // clone(2): all CLONE_NEW... except time, which only clone3 has
 constexpr std::uint32_t any_personality = 0xffffffff;  // personality(2): asks, changes nothing
 
 constexpr std::uint32_t refused[] = {
@@ -100,7 +100,8 @@ class Filter {
  public:
   void load(std::size_t offset) { add(BPF_LD | BPF_W | BPF_ABS, static_cast<std::uint32_t>(offset)); }
   void answer(std::uint32_t action) { add(BPF_RET | BPF_K, action); }
-  /// What was loaded, compared as `jump` says (BPF_JEQ, BPF_JGE, BPF_JSET), ends the filter with the action.
+  /// Ends the filter with the action when what was loaded compares as `jump` says (BPF_JEQ, BPF_JGE,
+  /// BPF_JSET).
   void answer_if(unsigned jump, std::uint32_t value, std::uint32_t action) {
     all_.push_back({static_cast<std::uint16_t>(BPF_JMP | BPF_K | jump), 0, 1, value});
     answer(action);
