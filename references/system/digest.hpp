@@ -1,4 +1,4 @@
-// SHA-256, as sha256sum prints it.
+// SHA-256 in hexadecimal, as sha256sum prints it.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@ namespace plumb::references {
 
 std::string sha256(std::string_view bytes);
 
-/// Of the bytes of the values, as they lie in memory.
+/// Hashes the bytes of the values, as they lie in memory.
 std::string sha256(const std::vector<float>& values);
 
 }  // namespace plumb::references

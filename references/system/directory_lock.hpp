@@ -1,4 +1,4 @@
-// One update of a directory at a time, among all processes.
+// Lets one process at a time update a directory.
 #pragma once
 
 #include <string>
@@ -7,10 +7,10 @@
 
 namespace plumb::references {
 
-/// Held until the end of its scope, or of the process.
+/// Holds the lock until the end of its scope, or of the process.
 class DirectoryLock {
  public:
-  /// Waits until others have let it go. Throws std::runtime_error.
+  /// Waits until others have released it. Throws std::runtime_error when the directory cannot be locked.
   explicit DirectoryLock(const std::string& directory);
 
  private:

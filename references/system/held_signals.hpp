@@ -1,4 +1,4 @@
-// Signals that have to wait until what is being exchanged is whole.
+// Makes signals wait until an exchange of files is complete.
 #pragma once
 
 #include <optional>
@@ -7,8 +7,8 @@
 
 namespace plumb::references {
 
-/// While it lives, SIGINT, SIGTERM and SIGHUP are remembered, whichever thread they reach; at the end of its
-/// scope they act as they would have before. One at a time, and for moments alone.
+/// While it lives, SIGINT, SIGTERM and SIGHUP are only remembered, whichever thread they reach. At the end of
+/// its scope they act as they would have before. Only one may live at a time, and only for moments.
 class HeldSignals {
  public:
   HeldSignals();

@@ -90,7 +90,7 @@ ProcessResult wait_for(pid_t child, double limit_seconds) {
   return result;
 }
 
-/// Of the file that was given to the program, whatever now stands under its name.
+/// Reads the file that was given to the program, whatever now has its name.
 std::string read_start_of(const Descriptor& file) {
   std::string text(longest_output, '\0');
   std::size_t size = 0;
@@ -131,7 +131,7 @@ TemporaryDirectory::~TemporaryDirectory() {
 ProcessResult run_process(const std::vector<std::string>& command, const std::string& directory,
                           const ProcessLimits& limits, const std::vector<std::string>& variables) {
   const std::vector<char*> arguments = pointers(command);
-  std::vector<std::string> all = variables;  // of a name that is there twice, the first counts
+  std::vector<std::string> all = variables;  // when a name is there twice, the first one counts
   all.insert(all.end(), {"HOME=" + directory, "PATH=/usr/bin:/bin", "LC_ALL=C", "TMPDIR=" + directory});
   const std::vector<char*> environment = pointers(all);
   const std::string output_path = directory + "/" + output_name;
