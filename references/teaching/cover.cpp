@@ -8,10 +8,10 @@
 namespace plumb::references::teaching {
 namespace {
 
-/// because it takes a second, and a teaching set is then as good as proven
+/// The limit, because so many take a second, and a teaching set is then as good as proven.
 constexpr std::size_t most_nodes = 2'000'000;
 
-/// Without those that are hit whenever another is.
+/// Returns the wishes without those that are hit whenever another is.
 std::vector<Indices> without_implied(std::vector<Indices> wishes) {
   std::stable_sort(wishes.begin(), wishes.end(),
                    [](const Indices& a, const Indices& b) { return a.size() < b.size(); });
@@ -34,7 +34,8 @@ class BranchAndBound {
   std::optional<Indices> best() const { return nodes_ == 0 ? std::nullopt : std::optional(best_); }
 
  private:
-  /// So many at least: none of these wishes shares an index with another. The smallest first.
+  /// Returns a lower bound, the number of wishes of which none shares an index with another. Expects the
+  /// smallest first.
   static std::size_t bound(const std::vector<Indices>& wishes) {
     std::set<std::size_t> taken;
     std::size_t count = 0;
@@ -63,7 +64,7 @@ class BranchAndBound {
       Indices with = chosen;
       with.insert(std::lower_bound(with.begin(), with.end(), choice), choice);
       descend(std::move(left), with);
-      // What follows does without this choice: no set is looked at twice.
+      // What follows does without this choice, so that no set is looked at twice.
       for (Indices& wish : wishes) std::erase(wish, choice);
       if (std::any_of(wishes.begin(), wishes.end(), [](const Indices& wish) { return wish.empty(); })) return;
       wishes = without_implied(std::move(wishes));

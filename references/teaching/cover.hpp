@@ -1,4 +1,4 @@
-// The smallest set that hits others: the fewest scenes that tell all faults apart.
+// Finds the smallest set that hits others: the fewest scenes that tell all faults apart.
 #pragma once
 
 #include <cstddef>
@@ -9,32 +9,32 @@
 
 namespace plumb::references::teaching {
 
-/// Indices, ascending.
+/// They are ascending.
 using Indices = std::vector<std::size_t>;
 
-/// A smallest set that has at least one index of each of the wishes, none of which is empty. Proven by
-/// exhaustion: branch and bound, the bound being wishes that share no index. Empty after `most_nodes`.
+/// Returns a smallest set that has at least one index of each of the wishes, none of which is empty. Branch
+/// and bound proves it; the bound is the number of wishes that share no index. Empty after `most_nodes`.
 std::optional<Indices> smallest_hitting_set(const std::vector<Indices>& wishes, std::size_t most_nodes);
 
-/// One that is found quickly: each index hits most of those that are left.
+/// Returns one that is found quickly: each index hits most of those that are left.
 Indices greedy_hitting_set(std::vector<Indices> wishes);
 
-/// For each pair of pictures that some scene tells apart, the scenes that do.
+/// Returns, for each pair of pictures that some scene tells apart, the scenes that do.
 std::vector<Indices> wishes_of(const Matrix& matrix);
 
-/// Pictures, a < b as in Matrix.
+/// Two pictures, a < b, numbered as in Matrix.
 struct Pair {
   std::size_t a;
   std::size_t b;
 };
 
-/// The pairs that none of the scenes tells apart.
+/// Returns the pairs that none of the scenes tells apart.
 std::vector<Pair> pairs_left(const Matrix& matrix, const Indices& scenes);
 
 struct TeachingSet {
   Indices scenes;
-  bool is_proven;          ///< that no smaller one exists
-  std::vector<Pair> left;  ///< that no scene at all tells apart
+  bool is_proven;          ///< true if no smaller one exists
+  std::vector<Pair> left;  ///< pairs that no scene at all tells apart
 };
 
 TeachingSet teaching_set(const Matrix& matrix);

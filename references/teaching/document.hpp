@@ -1,4 +1,4 @@
-// The matrix and the teaching set as text for people.
+// Writes the matrix and the teaching set as text for people.
 #pragma once
 
 #include <string>
@@ -7,10 +7,11 @@
 
 namespace plumb::references::teaching {
 
-/// "the right picture", or the fault's id; pictures are counted as in Matrix.
+/// Returns "the right picture", or the fault's id. Pictures are numbered as in Matrix.
 std::string picture_name(std::size_t picture);
 
-/// Markdown: the set, what no scene tells apart, and a row for each fault with a column for each scene.
+/// Returns Markdown: the set, what no scene tells apart, and a row for each fault with a column for each
+/// scene.
 std::string markdown_of(const Matrix& matrix, const TeachingSet& set);
 
 }  // namespace plumb::references::teaching

@@ -13,9 +13,11 @@
 namespace plumb::references::teaching {
 namespace {
 
-/// because float and double may fall on either side of a level, and an encoding may add one more
+/// Levels count as close up to this, because float and double may fall on either side of a level, and an
+/// encoding may add one more.
 constexpr int close = 2;
-/// because a diagnosis calls a picture right that is wrong in half a percent of its pixels
+/// Pixels that may differ, because a diagnosis calls a picture right that is wrong in half a percent of its
+/// pixels.
 constexpr std::size_t enough = matrix_width * matrix_height / 200;
 
 bool is_close(const std::uint8_t* a, const std::uint8_t* b) {
@@ -39,7 +41,7 @@ std::vector<Handed> pictures_of(const Lesson& lesson) {
   return pictures;
 }
 
-/// Which of the pictures of a lesson differ, all pairs.
+/// Tells of each pair of a lesson's pictures whether they differ.
 std::vector<bool> pairs_told_apart(const std::vector<Handed>& pictures) {
   const std::size_t count = pictures.size();
   std::vector<bool> apart(count * count);

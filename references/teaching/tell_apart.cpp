@@ -9,8 +9,8 @@ namespace {
 
 /// Compared in this order.
 struct Merit {
-  std::size_t pairs = 0;  ///< that are told apart
-  std::size_t least = 0;  ///< pixels in which the two of them that are most alike differ
+  std::size_t pairs = 0;  ///< number of pairs that are told apart
+  std::size_t least = 0;  ///< number of pixels in which the two that are most alike differ
   auto operator<=>(const Merit&) const = default;
 };
 

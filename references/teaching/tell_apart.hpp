@@ -1,4 +1,4 @@
-// A scene that settles which of several faults it is.
+// Finds a scene that settles which of several faults it is.
 #pragma once
 
 #include <optional>
@@ -9,8 +9,8 @@
 
 namespace plumb::references::teaching {
 
-/// The lesson that tells most pairs of these faults apart, of several the one in which those pictures differ
-/// most. Nothing when none tells any pair apart.
+/// Returns the lesson that tells most pairs of these faults apart. Of several it is the one in which the two
+/// that are most alike differ most. Nothing when none tells any pair apart.
 std::optional<std::string> scene_that_tells_apart(const std::vector<Lesson>& lessons,
                                                   const std::vector<const Fault*>& faults);
 
