@@ -1,4 +1,4 @@
-// How far a picture is from what is right, as far as it was measured.
+// How far a picture is from what is right, as far as that was measured.
 #pragma once
 
 #include <algorithm>
@@ -11,8 +11,8 @@
 
 namespace plumb::references {
 
-/// The largest difference of a component, relative above 1, as plumb verify judges it; infinite when a
-/// component is not finite.
+/// Returns the largest difference of a component, relative above 1, as plumb verify judges it; infinite when
+/// a component is not finite.
 inline double error_of_pixel(const Rgbd& right, const Image& image, const PixelPlace& place) {
   double error = 0;
   for (int k = 0; k < 3; ++k) {
@@ -24,7 +24,7 @@ inline double error_of_pixel(const Rgbd& right, const Image& image, const PixelP
   return error;
 }
 
-/// Of one picture; `against_double` is of all pixels, and missing where double is no yardstick.
+/// Errors of one picture. `against_double` covers all pixels, and is missing where double is no yardstick.
 struct ErrorFigures {
   double against_oracle = 0;
   std::optional<double> against_double;

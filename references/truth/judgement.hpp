@@ -1,4 +1,4 @@
-// Who is wrong where two pictures differ, as the oracle sees it.
+// Tells who is wrong where two pictures differ, as the oracle sees it.
 #pragma once
 
 #include <cstddef>
@@ -10,8 +10,8 @@
 
 namespace plumb::references {
 
-/// Of a pixel that is over the tolerance. A side is wrong when no answer that the scene leaves open (see
-/// Oracle) is within the tolerance of its value, or when that is not finite.
+/// The verdict on a pixel that is over the tolerance. A side is wrong when its value is not finite, or not
+/// within the tolerance of any answer that the scene leaves open (see Oracle).
 enum class Verdict {
   ours_wrong,
   reference_wrong,
@@ -28,30 +28,30 @@ struct JudgedPixel {
   Verdict verdict;
   Colour ours;
   Colour reference;
-  Rgbd oracle;  ///< of the scene as it is written
+  Rgbd oracle;  ///< for the scene as it is written
 };
 
 struct Judgement {
   std::vector<JudgedPixel> pixels;  ///< row by row
-  std::size_t not_judged = 0;       ///< over, but the work was done, or they have more rays than are traced
-  bool ran_out = false;             ///< of work
+  std::size_t not_judged = 0;       ///< number over that were not judged: no work left, or too many rays
+  bool ran_out = false;             ///< true if the work was used up
 
   std::size_t count(Verdict verdict) const;
   /// What a reader must know: that our side is wrong somewhere, or that pixels were not judged; else empty.
   std::string note() const;
 };
 
-/// Spent at most on one scene, in units of Work; 5 to 10 s on a machine of 2023.
+/// The most that is spent on one scene, in units of Work; 5 to 10 s on a machine of 2023.
 inline constexpr double most_work_of_judgement = 1e9;
 
-/// So that no two outputs contradict each other: a pixel at which our side is wrong is no matter of chance,
-/// whatever proof the budget has, and becomes unexplained; an unexplained one that is undecided becomes
-/// undecided there, too.
+/// Changes the budget so that no two outputs contradict each other. A pixel at which our side is wrong is no
+/// matter of chance, whatever proof the budget has, and becomes unexplained. An unexplained one that is
+/// undecided becomes undecided there, too.
 void reconcile(const Judgement& judgement, Budget& budget);
 
-/// Where no cause was found for a few pixels, at most as many as may be unverified: those at which the scene
-/// has answers (see Oracle) that are farther apart than the tolerance, and both values are among them, become
-/// undecided. Against a baseline that is no excuse.
+/// Looks at the pixels without a cause if they are few, at most as many as may be unverified. Those become
+/// undecided at which the scene has answers (see Oracle) that are farther apart than the tolerance, and that
+/// allow both values. Against a baseline that is no excuse.
 void settle_undecided(const AttributionJob& job, Budget& budget);
 
 /// Judges every pixel over the tolerance, row by row, until the work is done. `job.work` and `job.holds`

@@ -1,4 +1,4 @@
-// The oracle: the textbook tracer in 113 bits, on some pixels of a picture.
+// Asks the oracle, the textbook tracer in 113 bits, for some pixels of a picture.
 #pragma once
 
 #include <vector>
@@ -17,7 +17,7 @@ struct OraclePixel {
 
 struct OracleSample {
   std::vector<OraclePixel> pixels;
-  std::size_t cut = 0;  ///< pixels with more than most_rays_of_pixel rays, which are not looked at
+  std::size_t cut = 0;  ///< number of pixels with more than most_rays_of_pixel rays, which are left out
 };
 
 /// Traces the pixels in their order until the work is over; with n * n samples in the grid pattern the
@@ -25,7 +25,7 @@ struct OracleSample {
 OracleSample ask_oracle(const Scene& scene, const Camera& camera, const RenderJob& job,
                         const std::vector<PixelPlace>& places, textbook::Work& work);
 
-/// The pixels in which two pictures of one size differ most, the worst first.
+/// Returns the pixels in which two pictures of one size differ most, the worst first; at most `most`.
 std::vector<PixelPlace> most_different(const Image& a, const Image& b, std::size_t most);
 
 }  // namespace plumb::references
