@@ -103,29 +103,17 @@ std::size_t Budget::unverified() const {
   return all;
 }
 
-std::string Budget::note() const {
-  if (unexamined == 0) return {};
-  return std::to_string(unexamined) + " of the unexplained pixels were not examined " +
-         "to the end: there are too many, or each takes too many rays";
-}
-
 Budget attribute(const AttributionJob& job) { return Attribution(job).run(); }
 
-std::string broken_bound(const Budget& budget, int width, int height) {
+std::optional<BrokenBound> broken_bound(const Budget& budget, int width, int height) {
   const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   for (const CauseRow& row : cause_rows()) {
     const std::optional<std::size_t> most = most_of(row.bound, width, height);
     const std::size_t found = budget.count(row.cause);
-    if (most && found > *most) {
-      return std::to_string(found) + " pixels are put down to " + to_string(row.cause) + ", at most " +
-             std::to_string(*most) + " are allowed";
-    }
+    if (most && found > *most) return BrokenBound{row.cause, found, *most};
   }
-  if (100 * budget.unverified() <= pixels) return {};
-  return std::to_string(budget.unverified()) +
-         " pixels are unverified: the reference does not tell apart the surfaces that meet there, or the "
-         "scene's last digits leave the colour open, so nothing says what colour ours has; at most " +
-         std::to_string(pixels / 100) + " are allowed, 1 % of the picture";
+  if (100 * budget.unverified() <= pixels) return std::nullopt;
+  return BrokenBound{std::nullopt, budget.unverified(), pixels / 100};
 }
 
 }  // namespace plumb::references

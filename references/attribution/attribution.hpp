@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,8 +30,6 @@ struct Budget {
   /// other than it resolves, and where both values are open: nobody but us said what colour our surface has
   /// there. (At an edge the pixels beside it say so.)
   std::size_t unverified() const;
-  /// What a reader of the counts must know when pixels were not examined; else empty.
-  std::string note() const;
   std::size_t explained() const { return pixels.size() - count(Cause::unexplained); }
 };
 
@@ -59,11 +58,18 @@ struct AttributionJob {
 /// others are unexamined. So are those that are left when the work (see Work) is done.
 Budget attribute(const AttributionJob& job);
 
-/// The bound that a cause breaks, in words; empty when all hold. An edge meets pixel centres by chance at
+/// More pixels than chance gives: put down to this cause, or unverified where there is none.
+struct BrokenBound {
+  std::optional<Cause> cause;
+  std::size_t found;
+  std::size_t allowed;
+};
+
+/// The bound that is broken; nothing when all hold. An edge meets pixel centres by chance at
 /// some points, or along a line when it runs along the pixels: two lines each way, and at most 16 and 5 % of
 /// the pixels, are allowed for each kind of edge. Of the pixels where rays end at the depth limit, 16 and
 /// 1 %: more would be seen, and be the model. Of the picture 1 % may be unverified. Quantised values are each
 /// reproduced exactly, so these have no bound.
-std::string broken_bound(const Budget& budget, int width, int height);
+std::optional<BrokenBound> broken_bound(const Budget& budget, int width, int height);
 
 }  // namespace plumb::references

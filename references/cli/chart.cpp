@@ -7,8 +7,8 @@
 #include "references/cli/commands.hpp"
 #include "references/cli/options.hpp"
 #include "references/cli/progress.hpp"
-#include "references/cli/report.hpp"
-#include "references/studies/chart/json.hpp"
+#include "references/report/chart_json.hpp"
+#include "references/report/results_json.hpp"
 #include "references/studies/chart/plot.hpp"
 #include "references/system/json.hpp"
 
@@ -70,9 +70,9 @@ int run_chart(Options& options) {
   progress.clear();
   if (!chart.instructions.empty())
     warn("INSTRUCTIONS ARE NOT COUNTED: " + chart.instructions + "; they are null in the JSON");
-  const Json json = references::to_json(chart);
+  const references::Json json = references::to_json(chart);
   if (!files.empty()) references::plot_chart(references::json_text(json), files);
-  if (!options.json.empty()) write_json(options.json, json);
+  if (!options.json.empty()) references::write_json(options.json, json);
   if (options.json == "-") return exit_agrees;
   for (const auto& scene : chart.scenes) {
     print_fronts(scene);

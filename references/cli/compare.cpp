@@ -6,13 +6,14 @@
 
 #include "references/cli/bounds_options.hpp"
 #include "references/cli/commands.hpp"
-#include "references/cli/compare_pair.hpp"
-#include "references/cli/compare_report.hpp"
 #include "references/cli/compare_several.hpp"
-#include "references/cli/metrics.hpp"
 #include "references/cli/options.hpp"
 #include "references/gates/image_pairs.hpp"
+#include "references/report/compare_report.hpp"
+#include "references/report/findings_json.hpp"
+#include "references/report/findings_table.hpp"
 #include "references/report/junit.hpp"
+#include "references/report/metrics_table.hpp"
 #include "tracer/image/format.hpp"
 #include "tracer/system/files.hpp"
 
@@ -20,6 +21,9 @@ namespace plumb::cli {
 namespace {
 
 namespace fs = std::filesystem;
+using references::CompareReport;
+using references::Findings;
+using references::Json;
 using references::JunitCase;
 
 /// The masks may be named in a file of bounds; what the command line names is refused before.
@@ -48,16 +52,17 @@ void write_junit(const CompareOptions& options, const JunitCase& result) {
 
 int compare_one(const CompareOptions& options) {
   check_difference(options);
-  Findings findings = compare_files(options.reference, options.test, options.bounds, options.pair);
+  Findings findings =
+      references::compare_files(options.reference, options.test, options.bounds, options.pair);
   const int code = findings.agrees() ? exit_agrees : exit_differs;
-  if (options.says_text()) print(findings);
+  if (options.says_text()) std::fputs(table_of(findings).c_str(), stdout);
   const Json json = json_of(findings);
-  if (!options.json.empty()) write_json(options.json, json);
+  if (!options.json.empty()) references::write_json(options.json, json);
   write_junit(options, junit_case(options, findings));
   if (!options.difference.empty()) write_difference(options.difference, findings, options.says_text());
   if (!options.report.empty()) {
     CompareReport report(options.report, "plumb compare: " + options.test, "against " + options.reference);
-    report.add(options.test, std::move(findings), json);
+    say_left_out(report.add(options.test, std::move(findings), json));
     report.finish();
     if (options.says_text()) say_report(options.report);
   }
@@ -113,7 +118,7 @@ Table output_options(CompareOptions& options) {
        {.value = "FILE|DIR"}}};
 }
 
-Table options_of_pairs(PairOptions& pair) {
+Table options_of_pairs(references::PairOptions& pair) {
   return {{"--channels",
            &pair.read.channels,
            "compare these channels alone, by name, e.g. R,G,B",
@@ -122,7 +127,7 @@ Table options_of_pairs(PairOptions& pair) {
            &pair.read.part,
            "of files with several parts or pages, the one to compare",
            {.value = "NAME|N"}},
-          {"--metrics", &pair.metrics, "also " + metrics_named()}};
+          {"--metrics", &pair.metrics, "also " + references::metrics_named()}};
 }
 
 }  // namespace
@@ -144,7 +149,7 @@ Command compare_command() {
           "single images: {\"glass\": {\"allow_over\": \"0.1%\", \"ignore\": [\"0,0,64,16\"], \"because\": "
           "\"the "
           "clock\"}}, with tolerance, relative, allow_over, ignore and only as the options.\n" +
-          metrics_help() + "\nExit codes: 0 agree, 1 differ, 2 trouble.",
+          references::metrics_help() + "\nExit codes: 0 agree, 1 differ, 2 trouble.",
       .options = joined({{{"REFERENCE",
                            &options->reference,
                            "image that is taken to be right; a directory of such, or a quoted pattern",

@@ -7,21 +7,27 @@
 #include <new>
 #include <stdexcept>
 
-#include "references/cli/bounds_options.hpp"
-#include "references/cli/compare_report.hpp"
-#include "references/cli/metrics.hpp"
 #include "references/cli/options.hpp"
 #include "references/comparison/difference_image.hpp"
 #include "references/gates/bounds_file.hpp"
 #include "references/gates/image_pairs.hpp"
+#include "references/report/compare_report.hpp"
+#include "references/report/findings_json.hpp"
+#include "references/report/findings_table.hpp"
 #include "references/report/junit.hpp"
+#include "references/report/metrics_table.hpp"
+#include "references/report/results_table.hpp"
+#include "references/report/sentences.hpp"
 #include "tracer/system/files.hpp"
 
 namespace plumb::cli {
 namespace {
 
 namespace fs = std::filesystem;
+using references::CompareReport;
+using references::Findings;
 using references::ImagePair;
+using references::Json;
 using references::JunitCase;
 
 /// What is kept of a pair once it is told.
@@ -56,7 +62,7 @@ class Several {
         found_(references::pair_images(options.reference, options.test, masks())) {
     std::vector<std::string> names;
     for (const ImagePair& pair : found_.pairs) names.push_back(pair.name);
-    width_ = name_width(names);
+    width_ = references::name_width(names);
     if (const std::string complaint = file_.complaint_about_others(names); !complaint.empty())
       throw std::runtime_error(complaint);
     refuse_differences_among_inputs();
@@ -68,7 +74,7 @@ class Several {
     tell("%-*s %10s %10s %8s  %s\n", static_cast<int>(width_), "image", "size", "error", "over", "result");
     for (const ImagePair& pair : found_.pairs) add(pair);
     if (report_) report_->finish();
-    if (!options_.json.empty()) write_json(options_.json, json());
+    if (!options_.json.empty()) references::write_json(options_.json, json());
     if (!options_.junit.empty()) write_file(options_.junit, junit());
     tell_outcome();
     int worst = exit_agrees;
@@ -114,8 +120,8 @@ class Several {
     const auto begin = Clock::now();
     try {
       if (!pair.trouble.empty()) throw std::runtime_error(pair.trouble);
-      add_findings(
-          pair, compare_files(pair.reference, pair.test, file_.bounds_of(pair.name, bounds_), options_.pair));
+      add_findings(pair, references::compare_files(pair.reference, pair.test,
+                                                   file_.bounds_of(pair.name, bounds_), options_.pair));
     } catch (const std::bad_alloc&) {
       add_trouble(pair, pair.test + ": out of memory");
     } catch (const std::exception& error) {
@@ -137,7 +143,7 @@ class Several {
       result.junit.outcome = JunitCase::Outcome::failed;
       result.junit.message = first_line(details);
     }
-    if (report_) report_->add(pair.name, std::move(f), result.json);
+    if (report_) say_left_out(report_->add(pair.name, std::move(f), result.json));
     results_.push_back(std::move(result));
     tell("%s\n", row.c_str());
   }
@@ -242,6 +248,10 @@ class Several {
 }  // namespace
 
 int compare_several(const CompareOptions& options) { return Several(options).run(); }
+
+void say_left_out(const std::string& left_out) {
+  if (!left_out.empty()) warn("report: " + left_out);
+}
 
 void write_difference(const std::string& path, const Findings& f, bool says_text) {
   const references::DifferenceImage written =

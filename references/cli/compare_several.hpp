@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "references/cli/compare_pair.hpp"
+#include "references/gates/findings.hpp"
 
 namespace plumb::cli {
 
@@ -15,7 +15,7 @@ struct CompareOptions {
   std::string report;
   std::string difference;  ///< a file, or of several pairs a directory
   references::Bounds bounds;
-  PairOptions pair;
+  references::PairOptions pair;
 
   /// True if the results are shown on standard output as text.
   bool says_text() const { return json != "-" && junit != "-"; }
@@ -25,7 +25,10 @@ struct CompareOptions {
 /// Returns the exit code of the worst.
 int compare_several(const CompareOptions& options);
 
+/// Says what of the pictures a report does not show; nothing when that is empty.
+void say_left_out(const std::string& left_out);
+
 /// Writes --diff and says what it holds; nothing when there is none.
-void write_difference(const std::string& path, const Findings& findings, bool says_text);
+void write_difference(const std::string& path, const references::Findings& findings, bool says_text);
 
 }  // namespace plumb::cli

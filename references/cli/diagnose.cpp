@@ -7,11 +7,11 @@
 #include <optional>
 
 #include "references/cli/commands.hpp"
-#include "references/cli/diagnose_report.hpp"
 #include "references/cli/options.hpp"
-#include "references/cli/report.hpp"
 #include "references/diagnosis/handed_in.hpp"
-#include "references/diagnosis/json.hpp"
+#include "references/report/diagnosis_json.hpp"
+#include "references/report/diagnosis_page.hpp"
+#include "references/report/results_json.hpp"
 #include "references/submissions/shown_text.hpp"
 #include "references/teaching/tell_apart.hpp"
 #include "tracer/format/reader.hpp"
@@ -20,6 +20,9 @@
 
 namespace plumb::cli {
 namespace {
+
+using references::Json;
+using references::TellApart;
 
 constexpr int exit_abstains = 3;
 
@@ -215,10 +218,11 @@ int run_diagnose(const Options& options) {
     print(options, diagnosis);
     print(tell_apart, options.hint);
   }
-  if (!options.json.empty()) write_json(options.json, to_json(options, diagnosis, tell_apart, not_looked_at));
+  if (!options.json.empty())
+    references::write_json(options.json, to_json(options, diagnosis, tell_apart, not_looked_at));
   if (options.report.empty()) return exit_code_of(diagnosis.verdict);
-  write_diagnosis(options.report, {options.image, shot, seen, diagnosis, tell_apart, not_looked_at},
-                  options.hint);
+  references::write_diagnosis(
+      options.report, {options.image, shot, seen, diagnosis, tell_apart, not_looked_at}, options.hint);
   if (options.json != "-") std::printf("report: %s/diagnose.html\n", options.report.c_str());
   return exit_code_of(diagnosis.verdict);
 }

@@ -5,7 +5,6 @@
 
 #include "references/cli/commands.hpp"
 #include "references/cli/options.hpp"
-#include "references/cli/report.hpp"
 #include "references/renderers/ours.hpp"
 #include "references/renderers/registry.hpp"
 #include "references/system/json.hpp"
@@ -14,6 +13,8 @@
 
 namespace plumb::cli {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 struct Options {
   std::string scene;

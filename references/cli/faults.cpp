@@ -6,11 +6,12 @@
 #include "references/cli/commands.hpp"
 #include "references/cli/options.hpp"
 #include "references/cli/progress.hpp"
-#include "references/cli/report.hpp"
 #include "references/faults/fault.hpp"
+#include "references/report/fault_pages.hpp"
+#include "references/report/faults_json.hpp"
 #include "references/report/html/own_page.hpp"
+#include "references/report/results_json.hpp"
 #include "references/teaching/document.hpp"
-#include "references/teaching/pages.hpp"
 #include "tracer/system/files.hpp"
 #include "tracer/system/installation.hpp"
 #include "tracer/text/words.hpp"
@@ -19,17 +20,7 @@ namespace plumb::cli {
 namespace {
 
 namespace teaching = references::teaching;
-
-Json to_json(const references::Fault& fault) {
-  return {{"id", fault.id},
-          {"catalogue", fault.catalogue},
-          {"slide", fault.slide},
-          {"title", fault.explanation},
-          {"wrong", fault.wrong},
-          {"right", fault.right},
-          {"how_common", fault.how_common},
-          {"scene", fault.shown_by}};
-}
+using references::Json;
 
 void print(const references::Fault& fault) {
   std::printf("%.*s (%d, %.*s; %.*s)\n    %.*s\n    wrong: %.*s\n    right: %.*s\n",
@@ -49,42 +40,15 @@ struct Options {
 
 void write_pages(const std::string& directory) {
   Progress progress("pictures of faults");
-  const std::string page =
-      teaching::faults_page(data_directory(Data::scenes), [&](double fraction) { progress.show(fraction); });
+  const std::string page = references::faults_page(data_directory(Data::scenes),
+                                                   [&](double fraction) { progress.show(fraction); });
   std::filesystem::create_directories(directory);
   references::refuse_to_replace_others(directory + "/index.html");
   write_file(directory + "/index.html", page);
 }
 
-Json list_of_faults() {
-  Json all = Json::array();
-  for (const references::Fault& fault : references::fault_catalogue()) all.push_back(to_json(fault));
-  return {{"tool", "plumb"}, {"version", PLUMB_VERSION}, {"faults", all}};
-}
-
-Json to_json(const teaching::Matrix& matrix, const teaching::TeachingSet& set) {
-  Json scenes = Json::array();
-  for (const std::size_t scene : set.scenes) scenes.push_back(matrix.scenes()[scene]);
-  Json left = Json::array();
-  for (const teaching::Pair& pair : set.left)
-    left.push_back({teaching::picture_name(pair.a), teaching::picture_name(pair.b)});
-  Json seen = Json::object();
-  for (std::size_t fault = 0; fault < references::fault_catalogue().size(); ++fault) {
-    Json in = Json::array();
-    for (std::size_t i = 0; i < matrix.scenes().size(); ++i) {
-      if (matrix.shows(i, fault)) in.push_back(matrix.scenes()[i]);
-    }
-    seen[std::string(references::fault_catalogue()[fault].id)] = in;
-  }
-  return {{"scenes", matrix.scenes()},
-          {"teaching_set", scenes},
-          {"is_proven", set.is_proven},
-          {"not_told_apart", left},
-          {"seen_in", seen}};
-}
-
 int run_faults(const Options& options) {
-  Json json = list_of_faults();
+  Json json = references::faults_json();
   if (!options.corpus.empty()) {
     Progress progress("faults in scenes");
     const teaching::Matrix matrix(teaching::lessons_in(options.corpus),
@@ -92,11 +56,11 @@ int run_faults(const Options& options) {
     const teaching::TeachingSet set = teaching::teaching_set(matrix);
     progress.clear();
     if (options.json != "-") std::fputs(teaching::markdown_of(matrix, set).c_str(), stdout);
-    json["corpus"] = to_json(matrix, set);
+    json["corpus"] = references::corpus_json(matrix, set);
   } else if (options.json != "-" && options.report.empty()) {
     for (const references::Fault& fault : references::fault_catalogue()) print(fault);
   }
-  if (!options.json.empty()) write_json(options.json, json);
+  if (!options.json.empty()) references::write_json(options.json, json);
   if (!options.report.empty()) {
     write_pages(options.report);
     if (options.json != "-") say_report(options.report);

@@ -9,8 +9,9 @@
 #include <stdexcept>
 
 #include "references/cli/options.hpp"
-#include "references/cli/report.hpp"
+#include "references/report/class_json.hpp"
 #include "references/report/html/own_page.hpp"
+#include "references/report/results_json.hpp"
 #include "references/submissions/shown_text.hpp"
 #include "tracer/system/files.hpp"
 
@@ -144,8 +145,9 @@ bool write_all(const JudgeOutputs& outputs, const std::vector<JudgedPicture>& al
   is_well &= is_written(outputs.csv, [&] { write_file(outputs.csv, references::overview_csv(all, hint)); });
   is_well &=
       is_written(outputs.junit, [&] { write_file(outputs.junit, references::overview_junit(all, hint)); });
-  is_well &= is_written(outputs.json,
-                        [&] { write_json(outputs.json, references::overview_json(all, hint, facts)); });
+  is_well &= is_written(outputs.json, [&] {
+    references::write_json(outputs.json, references::overview_json(all, hint, facts));
+  });
   return is_well;
 }
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "references/cli/command_line.hpp"
-#include "references/submissions/overview.hpp"
+#include "references/report/class_report.hpp"
 
 namespace plumb::cli {
 

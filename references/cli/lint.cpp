@@ -5,12 +5,14 @@
 
 #include "references/cli/commands.hpp"
 #include "references/cli/options.hpp"
-#include "references/cli/report.hpp"
+#include "references/report/results_json.hpp"
 #include "tracer/format/reader.hpp"
 #include "tracer/text/words.hpp"
 
 namespace plumb::cli {
 namespace {
+
+using references::Json;
 
 struct Options {
   std::vector<std::string> scenes;
@@ -178,7 +180,7 @@ int run_lint(const Options& options) {
     scenes.push_back(to_json(linted));
   }
   if (!options.json.empty()) {
-    write_json(options.json, {{"tool", "plumb"}, {"version", PLUMB_VERSION}, {"scenes", scenes}});
+    references::write_json(options.json, {{"tool", "plumb"}, {"version", PLUMB_VERSION}, {"scenes", scenes}});
   }
   return all_readable ? exit_agrees : exit_trouble;
 }

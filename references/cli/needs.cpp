@@ -2,9 +2,10 @@
 #include <memory>
 
 #include "references/cli/commands.hpp"
-#include "references/cli/needs_report.hpp"
 #include "references/cli/options.hpp"
 #include "references/cli/progress.hpp"
+#include "references/report/needs_json.hpp"
+#include "references/report/results_json.hpp"
 #include "tracer/format/reader.hpp"
 
 namespace plumb::cli {
@@ -35,12 +36,12 @@ int run_needs(const Options& options) {
   RenderJob job = job_of(shot);
   Progress progress("looking at " + options.scene);
   job.progress = [&](double fraction) { progress.show(fraction); };
-  const NeedsReport report{options.scene, scene,
-                           shot.width,    shot.height,
-                           options.error, references::needs_of(scene, shot.camera, job, options.error)};
+  const references::NeedsReport report{
+      options.scene, scene,         shot.width,
+      shot.height,   options.error, references::needs_of(scene, shot.camera, job, options.error)};
   progress.clear();
   if (options.json != "-") std::printf("%s", as_text(report).c_str());
-  if (!options.json.empty()) write_json(options.json, to_json(report));
+  if (!options.json.empty()) references::write_json(options.json, to_json(report));
   return exit_agrees;
 }
 

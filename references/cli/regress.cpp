@@ -12,17 +12,20 @@
 #include "references/cli/confined.hpp"
 #include "references/cli/options.hpp"
 #include "references/cli/progress.hpp"
-#include "references/cli/report.hpp"
-#include "references/cli/scene_report.hpp"
 #include "references/gates/approve.hpp"
 #include "references/gates/author.hpp"
 #include "references/report/junit.hpp"
+#include "references/report/results_json.hpp"
+#include "references/report/results_table.hpp"
+#include "references/report/scene_report.hpp"
+#include "references/report/sentences.hpp"
 #include "tracer/system/files.hpp"
 #include "tracer/text/shell_word.hpp"
 
 namespace plumb::cli {
 namespace {
 
+using references::Json;
 using references::RegressedScene;
 using references::Status;
 
@@ -59,22 +62,6 @@ std::string update_arguments(const Options& options) {
   return text;
 }
 
-/// With the bounds and their reason.
-std::string message_of(const RegressedScene& scene) {
-  const std::string bounds =
-      scene.bounds ? bounds_text(scene.bounds->bounds, scene.bounds->comparison) : std::string();
-  if (bounds.empty()) return scene.result.message;
-  const bool is_within = scene.result.status == Status::agree && scene.result.comparison.pixels_over > 0;
-  return scene.result.message + (scene.result.message.empty() ? "" : "\n") + "bounds: " + bounds +
-         (is_within ? "; without them it differs" : "");
-}
-
-references::SceneResult shown(const RegressedScene& scene) {
-  references::SceneResult result = scene.result;
-  result.message = message_of(scene);
-  return result;
-}
-
 /// The command that approves the scene as it looks now; empty when there is nothing to approve.
 std::string approve_command(const Options& options, const RegressedScene& scene) {
   if (!scene.can_be_approved) return {};
@@ -90,7 +77,7 @@ std::string with_command(const Options& options, const RegressedScene& scene) {
 }
 
 void print_row(const Options& options, const RegressedScene& scene, std::size_t width) {
-  std::printf("%s\n", table_row(shown(scene), width).c_str());
+  std::printf("%s\n", table_row(scene.result, message_of(scene), width).c_str());
   // Not indented: a name may have a line feed, and the command is to be copied as it is.
   const std::string command = approve_command(options, scene);
   if (!command.empty()) std::printf("      approve with: %s\n", command.c_str());
@@ -105,9 +92,9 @@ std::ptrdiff_t count(const std::vector<RegressedScene>& scenes, Status status) {
 Json to_json(const Options& options, const std::vector<RegressedScene>& scenes) {
   Json list = Json::array();
   for (const RegressedScene& scene : scenes) {
-    list.push_back(scene_json(shown(scene)));
+    list.push_back(scene_json(scene.result, message_of(scene)));
     if (scene.bounds)
-      list.back()["bounds"] = plumb::cli::to_json(scene.bounds->bounds, scene.bounds->comparison);
+      list.back()["bounds"] = references::to_json(scene.bounds->bounds, scene.bounds->comparison);
     list.back()["approve"] = approve_command(options, scene);
   }
   return {{"tool", "plumb"},
@@ -123,7 +110,7 @@ references::JunitCase junit_case(const Options& options, const RegressedScene& s
   const Outcome outcome = status == Status::agree    ? Outcome::passed
                           : status == Status::differ ? Outcome::failed
                                                      : Outcome::error;
-  const std::string& message = scene.result.message;
+  const std::string message = message_without_bounds(scene);
   const std::string of_passed = outcome == Outcome::passed ? message_of(scene) : "";
   return {scene.name,    outcome,  message.substr(0, message.find('\n')), with_command(options, scene),
           scene.seconds, of_passed};
@@ -143,7 +130,7 @@ void write_both(const Options& options, const Json& json, const std::string& jun
   } catch (const std::exception&) {
     trouble = std::current_exception();
   }
-  if (!options.json.empty()) write_json(options.json, json);
+  if (!options.json.empty()) references::write_json(options.json, json);
   if (trouble) std::rethrow_exception(trouble);
 }
 
@@ -175,22 +162,23 @@ std::vector<RegressedScene> run(const Options& options, bool table) {
   const auto names = references::scene_names(options.directory);
   std::vector<std::string> paths;
   for (const auto& name : names) paths.push_back(references::scene_path(options.directory, name));
-  const std::size_t width = name_width(paths);
+  const std::size_t width = references::name_width(paths);
   Progress progress("rendering " + options.directory);
   std::size_t done = 0;
   references::RegressOptions regress = options.regress;
   regress.progress = [&](double fraction) {
     progress.show((static_cast<double>(done) + fraction) / static_cast<double>(names.size()));
   };
-  if (table) std::printf("%s\n", table_head(width).c_str());
-  SceneReport report(options.report, "plumb regress " + options.directory, options.regress.tolerance);
+  if (table) std::printf("%s\n", references::table_head(width).c_str());
+  references::SceneReport report(options.report, "plumb regress " + options.directory,
+                                 options.regress.tolerance);
   std::optional<std::string> explain;
   if (options.confined.renderer.empty()) explain = explain_arguments(options.regress);
   const auto scenes = references::regress(options.directory, regress, [&](const RegressedScene& scene) {
     ++done;
     progress.clear();
     if (table) print_row(options, scene, width);
-    report.add(shown(scene), explain, approve_command(options, scene));
+    report.add(scene, explain, approve_command(options, scene));
   });
   report.finish();
   return scenes;

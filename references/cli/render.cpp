@@ -7,10 +7,10 @@
 #include "references/cli/commands.hpp"
 #include "references/cli/options.hpp"
 #include "references/cli/progress.hpp"
-#include "references/cli/render_statistics.hpp"
 #include "references/faults/fault.hpp"
 #include "references/renderers/render_to_file.hpp"
 #include "references/renderers/unasked_file.hpp"
+#include "references/report/render_statistics_json.hpp"
 #include "tracer/format/reader.hpp"
 #include "tracer/image/format.hpp"
 #include "tracer/image/io.hpp"
@@ -19,6 +19,9 @@
 
 namespace plumb::cli {
 namespace {
+
+using references::ChosenForError;
+using references::RenderStatistics;
 
 struct Options {
   std::string scene;

@@ -6,7 +6,7 @@
 #include "references/cli/options.hpp"
 #include "references/cli/progress.hpp"
 #include "references/renderers/cache.hpp"
-#include "references/studies/stability/atlas.hpp"
+#include "references/report/atlas.hpp"
 #include "references/system/json.hpp"
 #include "tracer/system/files.hpp"
 

@@ -6,8 +6,10 @@
 #include "references/cli/commands.hpp"
 #include "references/cli/options.hpp"
 #include "references/cli/progress.hpp"
-#include "references/cli/report.hpp"
-#include "references/cli/scene_report.hpp"
+#include "references/report/results_json.hpp"
+#include "references/report/results_table.hpp"
+#include "references/report/scene_report.hpp"
+#include "references/report/sentences.hpp"
 
 namespace plumb::cli {
 namespace {
@@ -23,24 +25,24 @@ int run_verify(Options& options) {
   options.verify.keeps_pictures = !options.report.empty();
   options.verify.on_notice = warn;
   const bool table = options.json != "-";
-  const std::size_t width = name_width(options.scenes);
+  const std::size_t width = references::name_width(options.scenes);
   std::size_t done = 0;
   Progress progress("verifying");
-  if (table) std::printf("%s\n", table_head(width).c_str());
-  SceneReport page(options.report, "plumb verify", options.verify.tolerance);
+  if (table) std::printf("%s\n", references::table_head(width).c_str());
+  references::SceneReport page(options.report, "plumb verify", options.verify.tolerance);
   const auto report = references::verify(options.scenes, options.verify, [&](auto& result) {
     page.add(result, explain_arguments(options.verify));
     result.pictures.reset();
     progress.clear();
     if (table) {
-      std::printf("%s\n", table_row(result, width).c_str());
+      std::printf("%s\n", table_row(result, message_of(result), width).c_str());
       flush_output();
     }
     progress.show(static_cast<double>(++done) / static_cast<double>(options.scenes.size()));
   });
   progress.clear();
   if (!report.complaint.empty()) warn(report.complaint);
-  if (!options.json.empty()) write_json(options.json, to_json(report));
+  if (!options.json.empty()) references::write_json(options.json, to_json(report));
   page.finish();
   if (table) {
     std::printf("%s\n", outcome(report).c_str());

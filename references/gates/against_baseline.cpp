@@ -38,8 +38,7 @@ BoundedComparison judge_own(const Shot& shot, const Resolution& resolution, cons
   result.comparison = bounded.comparison;
   result.mask = mask_of(job.bounds, job.image.width, job.image.height);
   if (bounded.agrees()) result.status = Status::agree;
-  if (job.keeps_pictures)
-    result.pictures = pictures_of(job_with(job.image), result.comparison, result.budget);
+  if (job.keeps_pictures) result.pictures = pictures_of(job_with(job.image));
   return bounded;
 }
 
@@ -51,7 +50,7 @@ BoundedComparison judge_others(const BaselineJob& job, SceneResult& result) {
   result.metrics = cheap_metrics(view_of(job.baseline), view_of(job.image));
   result.comparison = bounded.comparison;
   result.status = bounded.agrees() ? Status::agree : Status::differ;
-  result.not_compared.clear();
+  result.no_figures.reset();
   if (!job.keeps_pictures) return bounded;
   auto pictures = std::make_shared<Pictures>();
   pictures->reference = std::make_shared<const Image>(job.baseline);

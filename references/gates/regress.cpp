@@ -24,11 +24,6 @@ bool is_among(const std::vector<std::string>& sorted, const std::string& name) {
   return std::binary_search(sorted.begin(), sorted.end(), name);
 }
 
-std::string number(double value) {
-  char text[32];
-  return {text, std::to_chars(text, text + sizeof text, value, std::chars_format::general, 6).ptr};
-}
-
 /// The shortest text that reads back as the same float32.
 std::string components(const float* values) {
   std::string text;
@@ -41,8 +36,6 @@ std::string components(const float* values) {
 }
 
 std::string at(int x, int y) { return "(" + std::to_string(x) + ", " + std::to_string(y) + ")"; }
-
-std::string size_text(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
 
 /// With another renderer, what plumb is asked for counts for nothing.
 Shot shot_for(const Scene& scene, const std::string& path, const RegressOptions& options) {
@@ -58,26 +51,6 @@ Rendered rendered(const Shot& shot, const RegressOptions& options) {
   return OurRenderer(options.tracer, how).render(shot);
 }
 
-/// The figures of a difference, and who to ask about the baseline.
-std::string difference(const Comparison& c) {
-  std::string text = std::to_string(c.pixels_over) + " of " + std::to_string(c.pixels) + " pixels are over";
-  if (c.non_finite > 0) text += ", " + std::to_string(c.non_finite) + " of them are not finite";
-  double error = 0;
-  for (std::size_t i = 0; i < c.worst.test.size(); ++i) {
-    error = std::max(
-        error, std::abs(static_cast<double>(c.worst.test[i]) - static_cast<double>(c.worst.reference[i])));
-  }
-  text += "; worst pixel " + at(c.worst.x, c.worst.y) + ": ours " + components(c.worst.test.data()) +
-          ", baseline " + components(c.worst.reference.data());
-  return c.non_finite > 0 ? text : text + ", off by " + number(error);
-}
-
-std::string history(const Baseline& baseline, const std::string& scene_sha256) {
-  std::string text = "\nbaseline approved by " + baseline.who + ", " + baseline.when + ": " + baseline.why;
-  if (baseline.scene_sha256 != scene_sha256) text += "\nthe scene file has changed since";
-  return text;
-}
-
 /// A scene without a baseline differs from what was approved: nothing.
 void judge_new(const ApprovedImages& approved, RegressedScene& scene) {
   const std::string image = approved.image_path(scene.name);
@@ -86,8 +59,7 @@ void judge_new(const ApprovedImages& approved, RegressedScene& scene) {
                              ": has no record in baselines.json; bring it back, or approve the scene anew");
   }
   scene.result.status = Status::differ;
-  scene.result.message = "new: there is no baseline yet";
-  scene.result.not_compared = "there is nothing to compare with: no image was approved yet";
+  scene.result.no_figures = NoFigures::nothing_approved;
   scene.result.comparison.pixels = scene.image->rgb.size() / 3;
 }
 
@@ -101,18 +73,11 @@ void expect_same_renderer(const Baseline& baseline, const RegressOptions& option
                                      "`, not plumb's own: compare with --renderer");
 }
 
-void judge_size(const Baseline& baseline, const std::string& asked, RegressedScene& scene) {
+void judge_size(RegressedScene& scene) {
   SceneResult& result = scene.result;
   result.status = Status::differ;
+  result.no_figures = NoFigures::other_size;
   result.comparison.pixels = result.comparison.pixels_over = scene.image->rgb.size() / 3;
-  result.message = "the size is " + size_text(result.width, result.height) + ", of the baseline " +
-                   size_text(baseline.width, baseline.height) + asked;
-  result.not_compared = "images of two sizes are not compared";
-}
-
-/// Several lines; an empty one adds nothing.
-void add_line(std::string& text, const std::string& line) {
-  if (!line.empty()) text += (text.empty() ? "" : "\n") + line;
 }
 
 /// What somebody else's renderer made is not traced again.
@@ -131,16 +96,13 @@ void judge_image(const ApprovedImages& approved, const RegressOptions& options, 
   expect_same_renderer(*found->record, options);
   const BaselineRenderer baseline(*found->baselines, *found->record);
   scene.baseline = baseline.render(shot).image;
-  const std::string asked = history(*found->record, sha256(read_text_file(result.scene)));
+  scene.approved = *found->record;
+  scene.has_changed = found->record->scene_sha256 != sha256(read_text_file(result.scene));
   if (found->record->width != result.width || found->record->height != result.height)
-    return judge_size(*found->record, asked, scene);
+    return judge_size(scene);
   const Bounds bounds = approved.bounds_of(scene.name, options.bounds);
   const BoundedComparison bounded = compared(shot, baseline, options, bounds, scene);
   if (!bounds.are_plain()) scene.bounds = {bounds, bounded};
-  if (result.status == Status::differ) {
-    const std::string explained = std::exchange(result.message, difference(result.comparison) + asked);
-    add_line(result.message, explained);
-  }
 }
 
 void judge_scene(const ApprovedImages& approved, const RegressOptions& options, RegressedScene& scene) {
@@ -154,11 +116,10 @@ void judge_scene(const ApprovedImages& approved, const RegressOptions& options, 
   result.width = scene.image->width;
   result.height = scene.image->height;
   judge_image(approved, options, shot, scene);
-  add_line(result.message, picture.not_read);
+  scene.not_stored = picture.not_read;
   if (result.status != Status::differ) return;
-  const std::string complaint = non_finite_pixels(*scene.image);
-  scene.can_be_approved = complaint.empty();
-  if (!complaint.empty()) result.message += "\ncannot be approved: " + complaint;
+  scene.cannot_be_approved = non_finite_pixels(*scene.image);
+  scene.can_be_approved = scene.cannot_be_approved.empty();
 }
 
 RegressedScene judged(const ApprovedImages& approved, const RegressOptions& options,
@@ -172,7 +133,7 @@ RegressedScene judged(const ApprovedImages& approved, const RegressOptions& opti
     judge_scene(approved, options, scene);
   } catch (const std::exception& error) {
     scene.result.status = Status::error;
-    scene.result.message = error.what();
+    scene.result.trouble = error.what();
   }
   scene.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
   return scene;
@@ -180,10 +141,11 @@ RegressedScene judged(const ApprovedImages& approved, const RegressOptions& opti
 
 /// A gate that checks less than was approved is trouble: nobody would notice.
 RegressedScene orphan(const ApprovedImages& approved, const std::string& directory, const std::string& name) {
-  RegressedScene scene{name, {}, 0, true, {}, {}, {}};
+  RegressedScene scene;
+  scene.name = name;
+  scene.can_be_approved = true;
+  scene.lost = approved.image_path(name);
   scene.result.scene = scene_path(directory, name);
-  scene.result.message = "THE SCENE IS GONE, its baseline " + approved.image_path(name) +
-                         " is there: bring the scene back, or approve that it is gone";
   return scene;
 }
 

@@ -37,8 +37,13 @@ struct UsedBounds {
 struct RegressedScene {
   std::string name;
   SceneResult result;
-  double seconds = 0;            ///< on the clock
-  bool can_be_approved = false;  ///< an update makes it agree
+  double seconds = 0;                ///< on the clock
+  bool can_be_approved = false;      ///< an update makes it agree
+  std::string cannot_be_approved;    ///< why, where the picture itself is wrong; else empty
+  std::string lost;                  ///< the baseline's image, where the scene is gone; else empty
+  std::optional<Baseline> approved;  ///< what it was compared with
+  bool has_changed = false;          ///< the scene file, since that was approved
+  std::string not_stored;            ///< what else the renderer's file holds; else empty
   std::optional<UsedBounds> bounds;
   std::optional<Image> image;  ///< both only while `done` runs, and where they could be had
   std::optional<Image> baseline;

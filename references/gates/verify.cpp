@@ -3,7 +3,6 @@
 #include <time.h>
 
 #include <algorithm>
-#include <charconv>
 #include <exception>
 #include <memory>
 #include <mutex>
@@ -24,48 +23,6 @@ double cpu_seconds(bool of_process) {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-void add_message(SceneResult& result, const std::string& message) {
-  if (!message.empty()) result.message += (result.message.empty() ? "" : "; ") + message;
-}
-
-/// The budget in words: what the pixels over are, and what is wrong.
-std::string verdict(const SceneResult& result, const std::string& broken) {
-  const Comparison& c = result.comparison;
-  if (c.non_finite > 0) return std::to_string(c.non_finite) + " pixels are not finite";
-  const Budget& budget = result.budget;
-  if (budget.explained() == 0) return {};
-  std::string said = std::to_string(budget.explained()) + " of " + std::to_string(c.pixels_over) +
-                     " pixels over are explained, each by a proof:";
-  for (std::size_t i = 0; i + 1 < cause_count; ++i) {
-    const auto cause = static_cast<Cause>(i);
-    if (budget.count(cause) > 0)
-      said += std::string(" ") + to_string(cause) + " " + std::to_string(budget.count(cause)) + ",";
-  }
-  said.pop_back();
-  if (!budget.shapes.empty()) said += "; shapes that take part:";
-  for (const std::string& name : budget.shapes) said += " '" + name + "'";
-  return broken.empty() ? said : said + "; but " + broken;
-}
-
-std::string number(double value) {
-  char text[32];
-  return {text, std::to_chars(text, text + sizeof text, value, std::chars_format::general, 3).ptr};
-}
-
-/// What agreement means little without: a picture of nothing, a file that was read with reservations.
-std::string reservations(const Image& ours, std::size_t warnings) {
-  std::string said;
-  const auto add = [&](const std::string& what) { said += (said.empty() ? "" : "; ") + what; };
-  if (is_of_one_colour(ours)) {
-    add("nothing is seen: every pixel has the same colour; is the camera turned away, or do the transforms "
-        "act in "
-        "another order (--dialect post or trs)?");
-  }
-  if (warnings > 0)
-    add(std::to_string(warnings) + (warnings == 1 ? " warning" : " warnings") + ", see plumb lint");
-  return said;
-}
-
 /// One scene on both sides: as it is, and term by term.
 class SceneVerifier {
  public:
@@ -84,12 +41,13 @@ class SceneVerifier {
     const AttributionJob whole = job(shot_, reference, ours);
     if (options_.judge) result_.judgement = judge_pixels(whole);
     judge(whole, result_);
-    if (options_.judge) add_message(result_, result_.judgement->note());
-    if (!reference.warnings.empty())
-      add_message(result_, reference_.facts().title + " warns: " + reference.warnings);
-    add_message(result_, reservations(ours, warnings));
-    if (options_.keeps_pictures) result_.pictures = pictures_of(whole, result_.comparison, result_.budget);
-    if (result_.status == Status::differ && options_.real == RealType::float32) blame_float(ours);
+    result_.reference_title = reference_.facts().title;
+    result_.reference_warnings = reference.warnings;
+    result_.is_of_one_colour = is_of_one_colour(ours);
+    result_.scene_warnings = warnings;
+    if (options_.keeps_pictures) result_.pictures = pictures_of(whole);
+    if (result_.status == Status::differ && options_.real == RealType::float32)
+      result_.suspect = suspect_float(ours);
   }
 
   void by_terms() {
@@ -98,32 +56,19 @@ class SceneVerifier {
       try {
         if (result.in_scene) compare_term(result);
       } catch (const std::runtime_error& error) {
-        add_message(result_,
-                    std::string("the term ") + to_string(term) + " could not be compared: " + error.what());
+        result.trouble = error.what();
       }
     }
-    const auto first = std::find_if(result_.terms.begin(), result_.terms.end(),
-                                    [](const TermResult& t) { return t.unexplained > 0; });
-    if (first == result_.terms.end()) return;
-    const bool differs = result_.status == Status::differ;
-    add_message(result_, std::string(differs ? "the difference lives in the term "
-                                             : "alone, there differs the term ") +
-                             to_string(first->term));
   }
 
  private:
-  /// The figure is measured, against our own picture in double: whether float is all that is wrong shows in
-  /// it.
-  void blame_float(const Image& ours) {
-    std::string by;
+  FloatSuspect suspect_float(const Image& ours) const {
     try {
       const Image in_double = ours_of(shot_, RealType::float64);
-      const double error = compare(in_double, ours, options_.tolerance).judged_error;
-      by = ": float32 alone differs from double by up to " + number(error) + " here";
+      return {compare(in_double, ours, options_.tolerance).judged_error};
     } catch (const std::runtime_error&) {
-      // The verdict stands without the figure.
+      return {};  // the verdict stands without the figure
     }
-    add_message(result_, "rendered with --real float" + by + "; try --real double");
   }
 
   void compare_term(TermResult& result) const {
@@ -222,12 +167,11 @@ void judge(const AttributionJob& job, SceneResult& result) {
     settle_undecided(job, result.budget);
   }
   if (result.judgement) reconcile(*result.judgement, result.budget);
-  const std::string broken = broken_bound(result.budget, result.width, result.height);
-  const bool agrees = result.budget.count(Cause::unexplained) == 0 && broken.empty();
+  result.broken_bound = broken_bound(result.budget, result.width, result.height);
+  const bool agrees = result.budget.count(Cause::unexplained) == 0 && !result.broken_bound;
   result.status = agrees ? Status::agree : Status::differ;
-  add_message(result, verdict(result, broken));
-  add_message(result, result.budget.note());
-  result.not_compared.clear();
+  result.has_causes = true;
+  result.no_figures.reset();
 }
 
 VerifyReport verify(const std::vector<std::string>& scenes, const VerifyOptions& options,
@@ -251,7 +195,7 @@ VerifyReport verify(const std::vector<std::string>& scenes, const VerifyOptions&
       verify_scene(options, *reference.renderer, threads, result);
     } catch (const std::exception& error) {
       result.status = Status::error;
-      result.message = error.what();
+      result.trouble = error.what();
     }
     in_order.ready(i);  // throws what the caller's `done` throws
   });

@@ -13,8 +13,8 @@
 #include "references/comparison/metrics/metrics.hpp"
 #include "references/comparison/pixel_mask.hpp"
 #include "references/gates/picture_options.hpp"
+#include "references/gates/pictures.hpp"
 #include "references/renderers/registry.hpp"
-#include "references/report/pictures.hpp"
 #include "references/truth/judgement.hpp"
 #include "tracer/textbook/render.hpp"
 
@@ -39,31 +39,48 @@ struct TermResult {
   bool in_scene = true;                  ///< both sides are black where the scene has none of it
   std::optional<Comparison> comparison;  ///< of a term in the scene; nothing when it could not be made
   std::size_t unexplained = 0;           ///< pixels
+  std::string trouble{};                 ///< why it could not be made; else empty
+};
+
+/// Why there are no figures.
+enum class NoFigures { trouble, nothing_approved, other_size };
+
+/// A float picture that differs.
+struct FloatSuspect {
+  /// The largest error against our own picture in double: whether float is all that is wrong shows in it.
+  /// Nothing when there is no such picture.
+  std::optional<double> error;
 };
 
 struct SceneResult {
   std::string scene;
   Status status = Status::error;
-  std::string message;
+  std::string trouble;  ///< what went wrong, where the status is error
   int width = 0;
   int height = 0;
-  std::string not_compared = "nothing was compared";  ///< why there are no figures; empty when there are
+  std::optional<NoFigures> no_figures = NoFigures::trouble;  ///< nothing when there are figures
   Comparison comparison;
   PixelMask mask;   ///< of the pixels that count; some do not where bounds leave regions out
   Metrics metrics;  ///< the cheap ones
   Budget budget;
-  std::vector<TermResult> terms;       ///< all, when they were asked for
-  std::optional<Judgement> judgement;  ///< when it was asked for
-  double seconds_ours = 0;             ///< of CPU time
-  double seconds_reference = 0;        ///< of CPU time, when it was rendered
-  bool cached = false;                 ///< or stored: the reference was not rendered now
+  bool has_causes = false;                  ///< they were sought; else all pixels over are unexplained
+  std::optional<BrokenBound> broken_bound;  ///< of the budget
+  std::vector<TermResult> terms;            ///< all, when they were asked for
+  std::optional<Judgement> judgement;       ///< when it was asked for
+  std::string reference_title;              ///< of the reference renderer, for people
+  std::string reference_warnings;           ///< of the reference renderer
+  bool is_of_one_colour = false;            ///< our picture: agreement means little then
+  std::size_t scene_warnings = 0;           ///< of reading the scene
+  std::optional<FloatSuspect> suspect;      ///< where float may be all that is wrong
+  double seconds_ours = 0;                  ///< of CPU time
+  double seconds_reference = 0;             ///< of CPU time, when it was rendered
+  bool cached = false;                      ///< or stored: the reference was not rendered now
   bool stored = false;
   std::shared_ptr<const Pictures> pictures;  ///< when they are kept and both sides were rendered
 };
 
 /// Compares the pictures, attributes every pixel over, and sets the figures and the status; where there is a
-/// judgement already, what it refutes is unexplained. The budget in words goes to the message. Width and
-/// height are set already.
+/// judgement already, what it refutes is unexplained. Width and height are set already.
 void judge(const AttributionJob& job, SceneResult& result);
 
 struct VerifyReport {

@@ -10,10 +10,10 @@
 #include "references/report/conclusion.hpp"
 #include "references/report/html/own_page.hpp"
 #include "references/report/html/packing.hpp"
+#include "references/report/html/thumbnail.hpp"
 #include "references/report/page.hpp"
 #include "references/report/picture.hpp"
 #include "references/report/script_json.hpp"
-#include "references/report/thumbnail.hpp"
 #include "references/system/digest.hpp"
 #include "tracer/system/files.hpp"
 

@@ -19,7 +19,7 @@
 #include "references/submissions/run_tracer.hpp"
 #include "references/submissions/shown_text.hpp"
 #include "references/system/process.hpp"
-#include "references/teaching/pages.hpp"
+#include "references/teaching/picture.hpp"
 #include "tracer/image/io.hpp"
 #include "tracer/system/in_parallel.hpp"
 

@@ -90,10 +90,6 @@ class PixelJudge {
   Oracle oracle_;
 };
 
-std::string pixels_in_words(std::size_t count) {
-  return std::to_string(count) + (count == 1 ? " pixel" : " pixels");
-}
-
 }  // namespace
 
 const char* to_string(Verdict verdict) {
@@ -113,21 +109,6 @@ const char* to_string(Verdict verdict) {
 std::size_t Judgement::count(Verdict verdict) const {
   return static_cast<std::size_t>(std::count_if(pixels.begin(), pixels.end(),
                                                 [&](const JudgedPixel& p) { return p.verdict == verdict; }));
-}
-
-std::string Judgement::note() const {
-  std::string said;
-  const std::size_t both = count(Verdict::both_wrong);
-  const std::size_t wrong = count(Verdict::ours_wrong) + both;
-  if (wrong > 0) {
-    said = "judged in 113 bits, our side is wrong at " + pixels_in_words(wrong);
-    if (both > 0) said += " (at " + std::to_string(both) + " of them the reference is, too)";
-  }
-  if (not_judged > 0) {
-    said += (said.empty() ? "" : "; ") + pixels_in_words(not_judged) + " over not judged: " +
-            (ran_out ? "the work for one scene was spent" : "more rays than are traced for one pixel");
-  }
-  return said;
 }
 
 void reconcile(const Judgement& judgement, Budget& budget) {

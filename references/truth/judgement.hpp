@@ -1,6 +1,7 @@
 // Tells who is wrong where two pictures differ, as the oracle sees it.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -18,6 +19,9 @@ enum class Verdict {
   both_wrong,
   undecided,  ///< neither is wrong: both are answers, or the true one lies between them
 };
+
+inline constexpr std::array all_verdicts{Verdict::ours_wrong, Verdict::reference_wrong, Verdict::both_wrong,
+                                         Verdict::undecided};
 
 /// As it stands in JSON, e.g. "ours_wrong".
 const char* to_string(Verdict verdict);
@@ -37,8 +41,6 @@ struct Judgement {
   bool ran_out = false;             ///< true if the work was used up
 
   std::size_t count(Verdict verdict) const;
-  /// What a reader must know: that our side is wrong somewhere, or that pixels were not judged; else empty.
-  std::string note() const;
 };
 
 /// The most that is spent on one scene, in units of Work; 5 to 10 s on a machine of 2023.

@@ -3,6 +3,7 @@
 
 #include "references/renderers/ours.hpp"
 #include "references/renderers/povray.hpp"
+#include "references/report/sentences.hpp"
 #include "references/truth/judgement.hpp"
 #include "tests/support/random_scene.hpp"
 #include "tracer/format/reader.hpp"
@@ -43,8 +44,8 @@ TEST(JudgedScenes, OursIsNowhereWrong) {
                                     references::povray_resolution()},
                                    enough);
       EXPECT_EQ(judgement.pixels.size(), judgement.count(Verdict::undecided))
-          << "seed " << seed << ": " << judgement.note();
-      EXPECT_EQ(judgement.not_judged, 0U) << "seed " << seed << ": " << judgement.note();
+          << "seed " << seed << ": " << references::note_of(judgement);
+      EXPECT_EQ(judgement.not_judged, 0U) << "seed " << seed << ": " << references::note_of(judgement);
       undecided += judgement.count(Verdict::undecided);
       pixels += oracle.rgb.size() / 3;
     }

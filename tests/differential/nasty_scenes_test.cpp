@@ -6,6 +6,7 @@
 
 #include "references/gates/verify.hpp"
 #include "references/report/explain.hpp"
+#include "references/report/sentences.hpp"
 #include "tests/support/nasty_scene.hpp"
 #include "tests/support/run.hpp"
 #include "tracer/engine/render.hpp"
@@ -222,10 +223,10 @@ TEST(NastyScenes, NoOutputContradictsAnother) {
     options.render = random.options;
     options.judge = true;
     const SceneResult result = references::verify({path}, options, {}).scenes.front();
-    ASSERT_TRUE(result.judgement) << "seed " << seed << ": " << result.message;
+    ASSERT_TRUE(result.judgement) << "seed " << seed << ": " << references::message_of(result);
     const auto& judged = *result.judgement;
     EXPECT_EQ(judged.count(Verdict::ours_wrong) + judged.count(Verdict::both_wrong), 0U)
-        << "seed " << seed << ": " << result.message << "\n"
+        << "seed " << seed << ": " << references::message_of(result) << "\n"
         << read_file(path);
     const Scene scene = load_scene(path, Dialect{});
     const references::TreeTracer tracer(
@@ -239,9 +240,10 @@ TEST(NastyScenes, NoOutputContradictsAnother) {
     over += result.budget.pixels.size();
     unexplained += result.budget.count(Cause::unexplained);
     EXPECT_EQ(judged.pixels.size() + judged.not_judged, result.budget.pixels.size()) << "seed " << seed;
-    EXPECT_EQ(result.status == Status::agree, result.budget.count(Cause::unexplained) == 0 &&
-                                                  result.message.find("allowed") == std::string::npos)
-        << "seed " << seed << ": " << result.message;
+    EXPECT_EQ(result.status == Status::agree,
+              result.budget.count(Cause::unexplained) == 0 &&
+                  references::message_of(result).find("allowed") == std::string::npos)
+        << "seed " << seed << ": " << references::message_of(result);
   }
   RecordProperty("pixels_over", std::to_string(over));
   RecordProperty("unexplained", std::to_string(unexplained));

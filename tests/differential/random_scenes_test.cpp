@@ -9,6 +9,7 @@
 #include "exporters/povray.hpp"
 #include "references/gates/verify.hpp"
 #include "references/renderers/ours.hpp"
+#include "references/report/sentences.hpp"
 #include "tests/support/random_scene.hpp"
 #include "tests/support/run.hpp"
 #include "tracer/format/reader.hpp"
@@ -67,9 +68,9 @@ TEST(RandomScenes, AgreeWithPovrayOnEveryPixel) {
     for (const SceneResult& result : report.scenes) {
       EXPECT_EQ(result.status, Status::agree)
           << result.scene << " depth " << options.first << ": " << result.comparison.pixels_over
-          << " pixels over, " << result.message << "\n"
+          << " pixels over, " << references::message_of(result) << "\n"
           << read_file(result.scene);
-      EXPECT_EQ(result.budget.unverified(), 0U) << result.scene << ": " << result.message;
+      EXPECT_EQ(result.budget.unverified(), 0U) << result.scene << ": " << references::message_of(result);
       agreed += result.status == Status::agree ? 1 : 0;
     }
   }

@@ -10,6 +10,7 @@
 
 #include "exporters/povray.hpp"
 #include "references/gates/verify.hpp"
+#include "references/report/sentences.hpp"
 #include "tests/support/end_to_end.hpp"
 #include "tests/support/run.hpp"
 #include "tracer/format/reader.hpp"
@@ -98,8 +99,8 @@ TEST_F(Ties, PovrayTakesTheSameSurfaceAndConfirmsItsColour) {
     }
   }
   for (const SceneResult& result : references::verify(scenes, {}, {}).scenes) {
-    EXPECT_EQ(result.status, Status::agree) << result.scene << ": " << result.message;
-    EXPECT_EQ(result.budget.unverified(), 0U) << result.scene << ": " << result.message;
+    EXPECT_EQ(result.status, Status::agree) << result.scene << ": " << references::message_of(result);
+    EXPECT_EQ(result.budget.unverified(), 0U) << result.scene << ": " << references::message_of(result);
     EXPECT_LE(result.comparison.pixels_over, 4U) << result.scene << ": on edges, by chance";
   }
 }
@@ -133,10 +134,11 @@ TEST_F(Ties, WhatTheExportDoesNotDecideIsUnverified) {
   for (const auto& [a, b] : {std::pair{"red", "blue"}, std::pair{"blue", "red"}}) {
     const std::string text = with_materials(kinds.at("boxes with one front"), a, b) + many;
     const SceneResult result = references::verify({file("a.sdf", text)}, {}, {}).scenes.front();
-    EXPECT_EQ(result.budget.unverified(), result.comparison.pixels_over) << result.message;
+    EXPECT_EQ(result.budget.unverified(), result.comparison.pixels_over) << references::message_of(result);
     const bool is_too_much = result.budget.unverified() > 48U * 36 / 100;
-    EXPECT_EQ(result.status, is_too_much ? Status::differ : Status::agree) << result.message;
-    EXPECT_EQ(contains(result.message, "unverified"), is_too_much) << result.message;
+    EXPECT_EQ(result.status, is_too_much ? Status::differ : Status::agree) << references::message_of(result);
+    EXPECT_EQ(contains(references::message_of(result), "unverified"), is_too_much)
+        << references::message_of(result);
     unverified += result.budget.unverified();
   }
   EXPECT_GT(unverified, 48U * 36 / 100) << "POV-Ray takes the first in both";
@@ -156,7 +158,7 @@ TEST_F(Ties, OfTwoFacesAtAnEdgeTheOtherIsProven) {
                          "background 1 0 0\ndefine camera eye 45\nrender eye x.ppm 64 48\n") +
                  shapes));
   for (const SceneResult& result : references::verify(scenes, {}, {}).scenes)
-    EXPECT_EQ(result.status, Status::agree) << result.scene << ": " << result.message;
+    EXPECT_EQ(result.status, Status::agree) << result.scene << ": " << references::message_of(result);
 }
 
 }  // namespace

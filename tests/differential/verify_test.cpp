@@ -11,6 +11,7 @@
 
 #include "references/renderers/cache.hpp"
 #include "references/renderers/povray.hpp"
+#include "references/report/sentences.hpp"
 #include "tests/support/end_to_end.hpp"
 #include "tests/support/run.hpp"
 #include "tracer/format/reader.hpp"
@@ -104,8 +105,10 @@ TEST_F(Verify, NoBadSceneStopsTheOthersAndResultsKeepTheirOrder) {
   EXPECT_EQ(report.exit_code(), 2);
   EXPECT_EQ(told, scenes);
   for (std::size_t i = 0; i < scenes.size(); ++i) EXPECT_EQ(report.scenes[i].scene, scenes[i]);
-  EXPECT_TRUE(contains(report.scenes[1].message, "missing.sdf")) << report.scenes[1].message;
-  EXPECT_TRUE(contains(report.scenes[2].message, "broken.sdf:1")) << report.scenes[2].message;
+  EXPECT_TRUE(contains(references::message_of(report.scenes[1]), "missing.sdf"))
+      << references::message_of(report.scenes[1]);
+  EXPECT_TRUE(contains(references::message_of(report.scenes[2]), "broken.sdf:1"))
+      << references::message_of(report.scenes[2]);
   EXPECT_EQ(report.scenes[0].width, 48);
   EXPECT_EQ(report.scenes[0].height, 36);
   EXPECT_EQ(report.scenes[0].comparison.pixels, 48U * 36);
@@ -159,20 +162,22 @@ TEST_F(Verify, SizeAndCameraMayBeOthersThanTheScenes) {
   options.size = Size{20, 30};
   options.camera = "other";
   const VerifyReport report = references::verify({scene}, options, {});
-  EXPECT_EQ(report.exit_code(), 0) << report.scenes[0].message;
+  EXPECT_EQ(report.exit_code(), 0) << references::message_of(report.scenes[0]);
   EXPECT_EQ(report.scenes[0].width, 20);
   EXPECT_EQ(report.scenes[0].height, 30);
   options.camera = "nobody";
   const VerifyReport unknown = references::verify({scene}, options, {});
   EXPECT_EQ(unknown.exit_code(), 2);
-  EXPECT_TRUE(contains(unknown.scenes[0].message, "nobody")) << unknown.scenes[0].message;
+  EXPECT_TRUE(contains(references::message_of(unknown.scenes[0]), "nobody"))
+      << references::message_of(unknown.scenes[0]);
 }
 
 TEST_F(Verify, WarningsOfPovrayReachTheMessage) {
   const VerifyReport report =
       references::verify({file("empty.sdf", "define camera eye 60\nrender eye image.ppm 16 12\n")}, {}, {});
-  EXPECT_EQ(report.exit_code(), 0) << report.scenes[0].message;
-  EXPECT_TRUE(contains(report.scenes[0].message, "POV-Ray warns")) << report.scenes[0].message;
+  EXPECT_EQ(report.exit_code(), 0) << references::message_of(report.scenes[0]);
+  EXPECT_TRUE(contains(references::message_of(report.scenes[0]), "POV-Ray warns"))
+      << references::message_of(report.scenes[0]);
 }
 
 TEST_F(Verify, ATimeLimitThatIsTooShortIsAnErrorOfThatScene) {
@@ -180,7 +185,8 @@ TEST_F(Verify, ATimeLimitThatIsTooShortIsAnErrorOfThatScene) {
   options.reference.time_limit_seconds = 0.05;
   const VerifyReport report = references::verify({file("a.sdf", ball)}, options, {});
   EXPECT_EQ(report.exit_code(), 2);
-  EXPECT_TRUE(contains(report.scenes[0].message, "longer than")) << report.scenes[0].message;
+  EXPECT_TRUE(contains(references::message_of(report.scenes[0]), "longer than"))
+      << references::message_of(report.scenes[0]);
 }
 
 TEST_F(Verify, WithoutPovrayStoredImagesAreUsedAndThatIsSaid) {
@@ -189,7 +195,8 @@ TEST_F(Verify, WithoutPovrayStoredImagesAreUsedAndThatIsSaid) {
   const VerifyReport report = references::verify({file("a.sdf", ball)}, {}, {});
   EXPECT_TRUE(contains(report.notice, "NO POV-RAY IS RUN")) << report.notice;
   EXPECT_EQ(report.exit_code(), 2);
-  EXPECT_TRUE(contains(report.scenes[0].message, "no stored reference image")) << report.scenes[0].message;
+  EXPECT_TRUE(contains(references::message_of(report.scenes[0]), "no stored reference image"))
+      << references::message_of(report.scenes[0]);
 }
 
 TEST_F(Verify, StoredImagesStartNoPovrayAndThatIsSaid) {
@@ -258,7 +265,8 @@ TEST_F(Verify, APixelThatIsNotFiniteNeverAgrees) {
   cache.store(loaded.exported(), cache.version_of(references::PovrayRenderer()), doctored);
   const VerifyReport report = references::verify({scene}, {}, {});
   EXPECT_EQ(report.exit_code(), 1);
-  EXPECT_TRUE(contains(report.scenes[0].message, "1 pixels are not finite")) << report.scenes[0].message;
+  EXPECT_TRUE(contains(references::message_of(report.scenes[0]), "1 pixels are not finite"))
+      << references::message_of(report.scenes[0]);
 }
 
 // Ties.
@@ -267,7 +275,7 @@ TEST_F(Verify, WhicheverOfCoincidentSurfacesPovrayTakesTheSceneAgrees) {
   const VerifyReport report = references::verify(
       {file("a.sdf", coincident("red", "blue")), file("b.sdf", coincident("blue", "red"))}, {}, {});
   for (const SceneResult& result : report.scenes) {
-    EXPECT_EQ(result.status, Status::agree) << result.message;
+    EXPECT_EQ(result.status, Status::agree) << references::message_of(result);
     EXPECT_EQ(result.comparison.pixels_over, result.budget.explained());
     EXPECT_EQ(result.budget.unverified(), 0U) << "the export decides as plumb does";
   }
@@ -291,21 +299,22 @@ TEST_F(Verify, TiesAreCountedAndTheirShapesNamed) {
     EXPECT_EQ(result.comparison.pixels_over, over);
     EXPECT_EQ(result.budget.explained(), over);
     EXPECT_EQ(result.budget.unverified(), over);
-    EXPECT_EQ(result.status, over == 0 ? Status::agree : Status::differ) << result.message;
+    EXPECT_EQ(result.status, over == 0 ? Status::agree : Status::differ) << references::message_of(result);
     if (over == 0) continue;
-    EXPECT_TRUE(contains(result.message, std::to_string(over) + " pixels are unverified")) << result.message;
+    EXPECT_TRUE(contains(references::message_of(result), std::to_string(over) + " pixels are unverified"))
+        << references::message_of(result);
     EXPECT_EQ(result.budget.shapes, (std::vector<std::string>{"one", "two"}));
-    EXPECT_TRUE(
-        contains(result.message, std::to_string(over) + " of " + std::to_string(over) + " pixels over"))
-        << result.message;
-    EXPECT_TRUE(contains(result.message, "'one' 'two'")) << result.message;
+    EXPECT_TRUE(contains(references::message_of(result),
+                         std::to_string(over) + " of " + std::to_string(over) + " pixels over"))
+        << references::message_of(result);
+    EXPECT_TRUE(contains(references::message_of(result), "'one' 'two'")) << references::message_of(result);
   }
   EXPECT_GT(ties, 50U) << "our picture shows the one or the other";
 }
 
 TEST_F(Verify, AGlassBoxOnAFloorAgrees) {
   const VerifyReport report = references::verify({file("a.sdf", glass_on_floor)}, {}, {});
-  EXPECT_EQ(report.exit_code(), 0) << report.scenes[0].message;
+  EXPECT_EQ(report.exit_code(), 0) << references::message_of(report.scenes[0]);
   EXPECT_EQ(report.scenes[0].budget.unverified(), 0U) << "up to 3 % were, while POV-Ray decided by itself";
 }
 
@@ -425,7 +434,7 @@ define shape box floor -9 -2 -20 9 -1.9 3 red
   EXPECT_GT(result.comparison.pixels_over, 100U);
   EXPECT_EQ(result.comparison.pixels_over, result.budget.explained());
   EXPECT_GT(result.budget.unverified(), 100U) << "the export does not change where surfaces are";
-  EXPECT_EQ(result.status, Status::differ) << result.message;
+  EXPECT_EQ(result.status, Status::differ) << references::message_of(result);
 }
 
 // Term by term.
@@ -480,8 +489,8 @@ TEST_F(Verify, ADifferenceIsFoundInTheTermInWhichItLives) {
     options.ours = &ours;
     const SceneResult result = references::verify({scene}, options, {}).scenes.front();
     EXPECT_EQ(result.status, Status::differ) << c.term;
-    EXPECT_TRUE(contains(result.message, std::string("lives in the term ") + c.term))
-        << c.term << ": " << result.message;
+    EXPECT_TRUE(contains(references::message_of(result), std::string("lives in the term ") + c.term))
+        << c.term << ": " << references::message_of(result);
     EXPECT_EQ(result.budget.explained() + result.budget.count(references::Cause::unexplained),
               result.comparison.pixels_over);
   }
@@ -491,7 +500,7 @@ TEST_F(Verify, EveryTermOfARightSceneAgrees) {
   VerifyOptions options;
   options.terms = true;
   const SceneResult result = references::verify({file("a.sdf", all_terms_scene)}, options, {}).scenes.front();
-  EXPECT_EQ(result.status, Status::agree) << result.message;
+  EXPECT_EQ(result.status, Status::agree) << references::message_of(result);
   ASSERT_EQ(result.terms.size(), references::all_terms.size());
   for (const references::TermResult& t : result.terms) {
     EXPECT_EQ(t.unexplained, 0U) << to_string(t.term);

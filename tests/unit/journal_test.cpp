@@ -4,10 +4,11 @@
 #include <csignal>
 #include <limits>
 
+#include "references/report/class_json.hpp"
+#include "references/report/class_report.hpp"
 #include "references/submissions/fingerprint.hpp"
 #include "references/submissions/journal.hpp"
 #include "references/submissions/no_picture.hpp"
-#include "references/submissions/overview.hpp"
 #include "references/submissions/shown_text.hpp"
 #include "tests/support/end_to_end.hpp"
 

@@ -9,6 +9,7 @@
 
 #include "references/renderers/ours.hpp"
 #include "references/renderers/povray.hpp"
+#include "references/report/sentences.hpp"
 #include "tests/support/run.hpp"
 #include "tracer/engine/render.hpp"
 #include "tracer/format/reader.hpp"
@@ -137,7 +138,7 @@ TEST_F(JudgedPictures, WhatIsNotJudgedIsCounted) {
   const Judgement judgement = judge_pixels(job, 0);
   EXPECT_EQ(judgement.not_judged, 1U);
   EXPECT_TRUE(judgement.ran_out);
-  EXPECT_FALSE(judgement.note().empty());
+  EXPECT_FALSE(references::note_of(judgement).empty());
 }
 
 TEST_F(JudgedPictures, WhatIsNotFiniteIsWrong) {

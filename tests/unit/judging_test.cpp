@@ -8,9 +8,9 @@
 #include <csignal>
 #include <thread>
 
+#include "references/report/class_report.hpp"
 #include "references/submissions/collect.hpp"
 #include "references/submissions/command_line.hpp"
-#include "references/submissions/overview.hpp"
 #include "references/submissions/sandbox/process_tree.hpp"
 #include "tests/support/end_to_end.hpp"
 

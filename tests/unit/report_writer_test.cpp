@@ -15,10 +15,10 @@
 
 #include "references/report/html/escape.hpp"
 #include "references/report/html/packing.hpp"
+#include "references/report/html/thumbnail.hpp"
 #include "references/report/html/web.hpp"
 #include "references/report/picture.hpp"
 #include "references/report/script_json.hpp"
-#include "references/report/thumbnail.hpp"
 #include "tests/support/end_to_end.hpp"
 
 namespace plumb::tests {

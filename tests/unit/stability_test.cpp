@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "references/studies/stability/atlas.hpp"
+#include "references/report/atlas.hpp"
 #include "references/studies/stability/boxes.hpp"
 #include "references/studies/stability/catalogue.hpp"
 #include "references/studies/stability/spheres.hpp"

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <utility>
@@ -50,16 +49,5 @@ struct Sweep {
 /// Sweeps and returns the conditions. Throws std::invalid_argument, naming the known ones, when there is none
 /// of that name. The same sweep gives the same numbers.
 std::vector<Condition> stability(const Sweep& sweep);
-
-/// {conditions: [{name, unit, rows: [{method, real, source, status, measures, breaks, cause, remedy, curve,
-/// wrong}]}]}: status is "measured" or "renderer unavailable"; measures is "t" (a ray is wrong that misses,
-/// meets itself or is 1 % off) or "pixels" (over 1e-6).
-nlohmann::ordered_json to_json(const std::vector<Condition>& conditions);
-
-/// A table for a terminal.
-std::string table_of(const std::vector<Condition>& conditions);
-
-/// A page that needs no network: a map a condition, methods down, the condition across.
-std::string page_of(const std::vector<Condition>& conditions);
 
 }  // namespace plumb::references::stability

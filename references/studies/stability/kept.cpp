@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <limits>
 
+#include "references/studies/stability/row_json.hpp"
 #include "references/system/digest.hpp"
 #include "references/system/json.hpp"
 #include "tracer/system/files.hpp"
@@ -49,8 +50,7 @@ void Kept::keep(const std::string& condition, const std::string& renderer, const
   std::error_code error;
   std::filesystem::create_directories(directory_, error);
   if (error) return;
-  const Json all = to_json({{condition, {}, 0, {row}}});
-  write_file(path(condition, renderer, row), json_text(all["conditions"][0]["rows"][0]));
+  write_file(path(condition, renderer, row), json_text(json_of(row)));
 }
 
 std::string Kept::path(const std::string& condition, const std::string& renderer, const Row& row) const {

@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "references/report/thumbnail.hpp"
+#include "references/report/html/thumbnail.hpp"
 #include "references/studies/stability/embree.hpp"
 #include "references/studies/stability/rendered.hpp"
 #include "references/studies/stability/worlds.hpp"

@@ -72,7 +72,7 @@ OurVerdict verdict_with(const Subject& s, const Image& given, references::Holds 
   };
   if (!holds_for_all_over(s, given, is_explained)) return OurVerdict::unexplained;
   const Budget whole = budget_of(s, given, holds);
-  const bool is_bounded = references::broken_bound(whole, given.width, given.height).empty();
+  const bool is_bounded = !references::broken_bound(whole, given.width, given.height);
   return is_bounded ? OurVerdict::passes : OurVerdict::out_of_bounds;
 }
 

@@ -1,0 +1,14 @@
+// A class of tracers as JSON.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "references/report/class_report.hpp"
+
+namespace plumb::references {
+
+nlohmann::ordered_json overview_json(const std::vector<JudgedPicture>& all, HintLevel hint,
+                                     const RunFacts& facts = {});
+
+}  // namespace plumb::references

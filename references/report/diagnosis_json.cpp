@@ -1,0 +1,68 @@
+#include "references/report/diagnosis_json.hpp"
+
+namespace plumb::references {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json to_json(const FoundFault& found, int hint) {
+  const Fault& fault = *found.fault;
+  Json json;
+  if (hint >= 3) json = {{"id", fault.id}, {"catalogue", fault.catalogue}};
+  if (hint >= 2) json["title"] = fault.explanation;
+  json["slide"] = fault.slide;
+  json["confidence"] = found.confidence;
+  json["pixels"] = found.pixels;
+  if (hint < 3) return json;
+  json["wrong"] = fault.wrong;
+  json["right"] = fault.right;
+  return json;
+}
+
+/// The background's name is null.
+Json shapes_json(const std::vector<ShapeSeen>& shapes) {
+  Json all = Json::array();
+  for (const ShapeSeen& shape : shapes)
+    all.push_back({{"name", shape.name.empty() ? Json() : Json(shape.name)}, {"pixels", shape.pixels}});
+  return all;
+}
+
+/// Levels of red, green and blue; null for floats.
+Json levels_json(const OutputEncoding& encoding) {
+  return encoding.is_float ? Json() : Json(encoding.levels);
+}
+
+/// Null for floats, which are not rounded.
+Json rounding_json(const OutputEncoding& encoding) {
+  return encoding.is_float ? Json() : Json(encoding.rounds ? "round" : "truncate");
+}
+
+}  // namespace
+
+Json to_json(const Diagnosis& diagnosis, int hint) {
+  Json faults = Json::array();
+  Json ambiguous = Json::array();
+  for (const FoundFault& found : diagnosis.faults) {
+    faults.push_back(to_json(found, hint));
+    for (const Fault* other : found.alike) ambiguous.push_back({found.fault->id, other->id});
+  }
+  Json json{{"verdict", to_string(diagnosis.verdict)}, {"faults", faults}};
+  if (!diagnosis.faults.empty()) json["explains"] = diagnosis.explains_all() ? "all" : "part";
+  json["unexplained_pixels"] = diagnosis.unexplained_pixels;
+  json["edge_pixels"] = diagnosis.edges;
+  json["non_finite"] = diagnosis.non_finite;
+  if (diagnosis.verdict == PictureVerdict::right_apart) {
+    json["pixels"] = diagnosis.unexplained_pixels;
+    json["shapes"] = shapes_json(diagnosis.shapes);
+  }
+  if (hint >= 3) json["ambiguous"] = ambiguous;
+  json["encoding"] = {{"tone_map", diagnosis.encoding.tone_map},
+                      {"gamma", diagnosis.encoding.gamma()},
+                      {"rounding", rounding_json(diagnosis.encoding)},
+                      {"levels", levels_json(diagnosis.encoding)}};
+  if (hint >= 2) json["encoding"]["flipped"] = diagnosis.is_flipped;  // which names a mistake
+  json["remaining"] = {{"rms", diagnosis.rms}, {"pixels_over_2_255", diagnosis.pixels_over}};
+  return json;
+}
+
+}  // namespace plumb::references

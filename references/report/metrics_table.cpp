@@ -1,0 +1,71 @@
+#include "references/report/metrics_table.hpp"
+
+#include <cstdio>
+
+namespace plumb::references {
+namespace {
+
+std::string number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.9g", value);
+  return text;
+}
+
+std::string line(const std::string& name, const std::string& value) {
+  return name + std::string(13 - name.size(), ' ') + value + "\n";
+}
+
+std::string flip_text(const Flip& flip) {
+  std::string text = "mean " + number(flip.mean) + ", max " + number(flip.max);
+  if (const auto& e = flip.exposures) {
+    text += ", HDR, " + std::to_string(e->count) + " exposures from " + number(e->start) + " to " +
+            number(e->stop) + " stops";
+  }
+  return text;
+}
+
+std::string scalars_text(const Metrics& m) {
+  std::string text;
+  for (std::size_t i = 0; i < m.scalars.size(); ++i) {
+    const ScalarMetric& metric = scalar_metrics()[i];
+    const std::string none = "none: " + std::string(metric.none) + ", or not finite";
+    text += line(metric.name, m.scalars[i] ? number(*m.scalars[i]) : none);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string metrics_named() {
+  std::string names = "PSNR, percentiles, bias";
+  for (const ScalarMetric& metric : scalar_metrics()) names += std::string(", ") + metric.name;
+  return names + " and FLIP";
+}
+
+std::string metrics_help() {
+  std::string text =
+      "--metrics adds: peak (largest component, at least 1), PSNR in dB (20 log10(peak / RMS)), percentiles "
+      "of "
+      "each pixel's largest difference, bias (mean of test - reference) per channel, ";
+  for (const ScalarMetric& metric : scalar_metrics()) text += std::string(metric.what) + ", ";
+  return text +
+         "FLIP (0 to 1). Float and 16-bit files count as linear light and get HDR-FLIP (Andersson et al. "
+         "2021); "
+         "when both files hold 8 bits, they count as sRGB and get LDR-FLIP (2020).";
+}
+
+std::string metrics_table(const Metrics& m) {
+  std::string percentiles;
+  for (std::size_t i = 0; i < m.percentiles.size(); ++i) {
+    percentiles += (i == 0 ? "" : ", ") + number(static_cast<double>(permilles[i]) / 10) +
+                   " %: " + number(m.percentiles[i]);
+  }
+  std::string bias;
+  for (const double b : m.bias) bias += (bias.empty() ? "" : " ") + number(b);
+  return line("peak", number(m.peak)) +
+         line("PSNR", m.psnr_db ? number(*m.psnr_db) + " dB" : "none: nothing differs") +
+         line("percentiles", percentiles) + line("bias", bias) + scalars_text(m) +
+         line("FLIP", m.flip ? flip_text(*m.flip) : "none: not finite");
+}
+
+}  // namespace plumb::references
