@@ -39,7 +39,7 @@ std::string drawn_curve(const Row& row) {
                 "<line x1=\"%.1f\" x2=\"%.1f\" y1=\"0\" y2=\"%.0f\" stroke=\"#D55E00\"/></svg>at %.2g",
                 across(first_break(row)), across(first_break(row)), height, first_break(row));
   return "<svg width=\"136\" height=\"64\" role=\"img\" aria-label=\"difference by the condition\">"
-         "<rect width=\"136\" height=\"64\" fill=\"#f4f4f4\"/><polyline fill=\"none\" stroke=\"#0072B2\" "
+         "<rect class=\"ground\" width=\"136\" height=\"64\"/><polyline fill=\"none\" stroke=\"#0072B2\" "
          "points=\"" +
          points + "\"/>" + text.data();
 }

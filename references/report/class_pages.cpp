@@ -2,6 +2,7 @@
 #include <array>
 #include <cstdio>
 #include <filesystem>
+#include <initializer_list>
 #include <map>
 #include <set>
 
@@ -150,20 +151,28 @@ std::string page_name(std::size_t number) { return "submission-" + std::to_strin
 
 /// Of these pictures, in one sentence.
 std::string conclusion_of(const JudgedPicture* begin, const JudgedPicture* end) {
-  const auto count = [&](Judged verdict) {
-    return static_cast<std::size_t>(
-        std::count_if(begin, end, [&](const JudgedPicture& p) { return p.verdict == verdict; }));
+  const auto count = [&](std::initializer_list<Judged> verdicts) {
+    return static_cast<std::size_t>(std::count_if(begin, end, [&](const JudgedPicture& p) {
+      return std::find(verdicts.begin(), verdicts.end(), p.verdict) != verdicts.end();
+    }));
   };
   const auto all = static_cast<std::size_t>(end - begin);
-  const std::size_t right = count(Judged::right), faults = count(Judged::faults);
-  std::string text =
-      right == all
-          ? (all == 1 ? "The picture is right" : "All " + std::to_string(all) + " pictures are right")
-          : std::to_string(right) + " of " + std::to_string(all) + " pictures are right";
+  const std::size_t right = count({Judged::right}), apart = count({Judged::right_apart}),
+                    faults = count({Judged::faults}), open = count({Judged::not_judged, Judged::trouble});
+  std::string text = right == all ? (all == 1 ? "The picture is right"
+                                              : "All " + std::to_string(all) + " pictures are right")
+                                  : std::to_string(right) + " of " + std::to_string(all) +
+                                        (all == 1     ? " picture is right"
+                                         : right == 1 ? " pictures is right"
+                                                      : " pictures are right");
+  const auto add = [&](std::size_t number, const std::string& one, const std::string& several) {
+    if (number > 0) text += "; " + std::to_string(number) + (number == 1 ? one : several);
+  };
+  add(apart, " is right apart from a few pixels", " are right apart from a few pixels");
   if (faults > 0) text += "; known mistakes explain " + std::to_string(faults);
-  if (const std::size_t others = all - right - faults; others > 0)
-    text += "; " + std::to_string(others) +
-            (others == 1 ? " is wrong otherwise or missing" : " are wrong otherwise or missing");
+  const std::string how = faults > 0 ? " wrong otherwise or missing" : " wrong or missing";
+  add(all - right - apart - faults - open, " is" + how, " are" + how);
+  add(open, " was not judged", " were not judged");
   return text + ".";
 }
 

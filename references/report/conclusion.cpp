@@ -33,21 +33,44 @@ std::string as_sentence(std::string text) {
   return text.back() == '.' ? text : text + ".";
 }
 
+/// Pixels that count: where regions are left out, those that are not.
+std::size_t compared_pixels(const Json& result) {
+  const Json& bounds = part_of(result, "bounds");
+  return bounds.contains("pixels_compared") ? count_of(bounds, "pixels_compared")
+                                            : count_of(result, "width") * count_of(result, "height");
+}
+
+/// Of a result that leaves pixels out, how many it does not; else empty.
+std::string of_the_compared(const Json& result) {
+  if (count_of(part_of(result, "bounds"), "pixels_ignored") == 0) return {};
+  return ", of the " + std::to_string(compared_pixels(result)) + " that were compared";
+}
+
+std::string unverified_text(const Json& result) {
+  const std::size_t unverified = count_of(result, "unverified");
+  return unverified == 0 ? "" : ", " + std::to_string(unverified) + " of them unverified";
+}
+
 std::string why_it_is_right(const Json& result, std::size_t over) {
-  if (over == 0) return "no pixel is over the tolerance";
-  if (!part_of(result, "budget").empty())
-    return "each of the " + pixels(over) + " over the tolerance is explained by a proof";
-  return pixels(over) + (over == 1 ? " is" : " are") + " over the tolerance, as the bounds allow";
+  if (over == 0) return "no pixel is over the tolerance" + of_the_compared(result);
+  const Json& budget = part_of(result, "budget");
+  if (!budget.empty() && count_of(budget, "unexplained") == 0)
+    return "each of the " + pixels(over) + " over the tolerance is explained by a proof" +
+           unverified_text(result);
+  return pixels(over) + (over == 1 ? " is" : " are") + " over the tolerance" + of_the_compared(result) +
+         ", as the bounds allow";
 }
 
 std::string what_differs(const Json& result, std::size_t over) {
-  const std::size_t all = count_of(result, "width") * count_of(result, "height");
+  const std::size_t all = compared_pixels(result);
   std::string text = all > over ? std::to_string(over) + " of " + pixels(all)
                      : all > 1  ? "all " + pixels(over)
                                 : pixels(over);
+  if (!of_the_compared(result).empty()) text += " that were compared";
   text += over == 1 ? " is over the tolerance" : " are over the tolerance";
   if (const std::size_t open = count_of(part_of(result, "budget"), "unexplained"); open > 0)
     text += ", " + std::to_string(open) + " of them unexplained";
+  text += unverified_text(result);
   if (const std::size_t odd = count_of(result, "non_finite"); odd > 0)
     text += ", " + std::to_string(odd) + " not finite";
   if (const std::string cause = text_of(part_of(result, "likely_cause"), "text"); !cause.empty())

@@ -1,6 +1,7 @@
 """The pages of all commands that write one: one look, in every size and scheme."""
 import json
 import os
+import shutil
 import subprocess
 import tempfile
 import unittest
@@ -15,6 +16,7 @@ render eye {name}.ppm 32 24
 """
 
 LEVELS = (100, 150, 200)
+LONG_NAME = "z" * 63
 
 # The name of each page, what writes it, with which exit code, and the file.
 PAGES = (
@@ -36,13 +38,14 @@ class Pages(ReportTest):
     def setUpClass(cls):
         cls.place = tempfile.TemporaryDirectory()
         cls.addClassCleanup(cls.place.cleanup)
-        for folder in ("scenes", "class/right", "class/swapped"):
+        for folder in ("scenes", "class/right", "class/swapped", f"class/{LONG_NAME}"):
             os.makedirs(f"{cls.place.name}/{folder}")
         for name, z in (("near", -4), ("far", -6)):
             with open(f"{cls.place.name}/scenes/{name}.sdf", "w", encoding="ascii") as file:
                 file.write(SCENE.format(z=z, name=name))
             cls.plumb("render", f"scenes/{name}.sdf", "-o", f"class/right/{name}.ppm")
             cls.plumb("render", f"scenes/{name}.sdf", "--fault", "ka-kd-swapped", "-o", f"class/swapped/{name}.ppm")
+            shutil.copy(f"{cls.place.name}/class/right/{name}.ppm", f"{cls.place.name}/class/{LONG_NAME}")
         for name, levels in (("grey", LEVELS), ("brighter", [level + 20 for level in LEVELS])):
             with open(f"{cls.place.name}/{name}.ppm", "wb") as file:
                 file.write(b"P6 32 24 255\n" + bytes(levels) * 32 * 24)
@@ -76,6 +79,15 @@ class Pages(ReportTest):
             for name in self.of_each_page(width):
                 self.assertEqual(width, self.script("return document.documentElement.scrollWidth"), name)
                 self.assertEqual(1, len(self.all("meta[name=viewport]")), name)
+
+    def test_a_long_name_leaves_room_for_verdicts(self):
+        self.resize(390, 900, "light")
+        self.url = f"file://{self.place.name}/judge/index.html"
+        self.open("")
+        widths = self.script("return [...document.querySelectorAll('tbody th')].map((n) => n.offsetWidth)")
+        self.assertEqual(3, len(widths))
+        self.assertLess(max(widths), 0.5 * 390)
+        self.assertEqual("4 of 6 pictures are right; known mistakes explain 2.", self.find(".conclusion").text)
 
     def test_every_page_begins_with_its_conclusion(self):
         for name in self.of_each_page(390):

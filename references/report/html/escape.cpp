@@ -1,5 +1,7 @@
 #include "references/report/html/escape.hpp"
 
+#include "references/system/json.hpp"
+
 namespace plumb::references {
 namespace {
 
@@ -24,7 +26,7 @@ std::string_view name_of(char c) {
 
 std::string html_escaped(std::string_view text) {
   std::string escaped;
-  for (const char c : text) {
+  for (const char c : valid_utf8(std::string(text))) {
     const std::string_view name = name_of(c);
     if (name.empty())
       escaped += c;
