@@ -105,9 +105,11 @@ class SceneVerifier {
 void verify_scene(const VerifyOptions& options, const Renderer& reference, int threads, SceneResult& result) {
   std::size_t warnings = 0;
   const Scene scene = load_scene(result.scene, options.dialect, [&](const std::string&) { ++warnings; });
+  const RenderRequest& asked = scene.renders.front();
+  const Size size = options.size.value_or(Size{asked.width, asked.height});
+  result.width = size.width;  // known, even where the camera is not
+  result.height = size.height;
   const Shot shot = shot_of(scene, options, result.scene);
-  result.width = shot.width;
-  result.height = shot.height;
   SceneVerifier verifier(options, reference, threads, shot, result);
   verifier.whole(warnings);
   if (options.terms) verifier.by_terms();

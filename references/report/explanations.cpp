@@ -1,5 +1,6 @@
 #include "references/report/explanations.hpp"
 
+#include <exception>
 #include <vector>
 
 #include "references/attribution/ray_tree.hpp"
@@ -26,11 +27,15 @@ std::map<std::pair<int, int>, std::string> explanations_of(const SceneResult& re
   constexpr std::size_t most_text = 4'000'000;
   std::size_t text = 0;
   const auto& [scene, camera, options] = *result.pictures->traced;
-  const TreeTracer tracer({scene, camera, result.width, result.height, options});
-  for (const PixelPlace p : places_to_explain(result.comparison, result.budget)) {
-    if (text > most_text) break;
-    std::string& said = explanations[{p.x, p.y}] = explain_text(scene, tracer.tree_of(p.x, p.y));
-    text += said.size();
+  try {
+    const TreeTracer tracer({scene, camera, result.width, result.height, options});
+    for (const PixelPlace p : places_to_explain(result.comparison, result.budget)) {
+      if (text > most_text) break;
+      std::string& said = explanations[{p.x, p.y}] = explain_text(scene, tracer.tree_of(p.x, p.y));
+      text += said.size();
+    }
+  } catch (const std::exception&) {
+    // A page is worth having without the pixels that cannot be traced once more.
   }
   return explanations;
 }

@@ -52,6 +52,7 @@ std::vector<PixelPlace> spread_pixels(int width, int height, std::size_t most) {
   const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   const std::size_t count = std::min(most, pixels);
   std::vector<PixelPlace> places;
+  places.reserve(count);
   double x = 0.5, y = 0.5;
   for (std::size_t i = 0; i < pixels && places.size() < count; ++i) {
     x += 1 / g;

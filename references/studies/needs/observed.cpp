@@ -158,7 +158,12 @@ void Observed::add(const Observed& o) {
 
 Observed observe(const Scene& scene, const Camera& camera, const RenderJob& job) {
   const World world(scene, {});
-  const std::vector<PixelPlace> order = textbook::spread_pixels(job.width, job.height);
+  // No pixel costs less than its camera ray, so that no more of them are looked at, but for a last round.
+  constexpr std::size_t pixels_of_round = 512;
+  const std::vector<PixelPlace> order = textbook::spread_pixels(
+      job.width, job.height,
+      static_cast<std::size_t>(most_units / textbook::units_of_ray<double>(world.instances())) +
+          pixels_of_round);
   Observed all = empty_for(scene);
   std::mutex mutex;
   textbook::Work work(most_units);
@@ -169,7 +174,7 @@ Observed observe(const Scene& scene, const Camera& camera, const RenderJob& job)
     all.add(notes.counts);
   };
   all.looked_at = textbook::look_at(order.size(), looking, look);
-  all.pixels = order.size();
+  all.pixels = static_cast<std::size_t>(job.width) * static_cast<std::size_t>(job.height);
   return all;
 }
 
