@@ -9,6 +9,7 @@
 
 #include "references/attribution/pixel_tracer.hpp"
 #include "references/faults/fault.hpp"
+#include "references/renderers/povray.hpp"
 #include "references/truth/oracle.hpp"
 #include "references/truth/oracle_sample.hpp"
 #include "tests/support/random_scene.hpp"
@@ -51,10 +52,11 @@ double spent_by(const Traced& trace) {
 class PriceOfAPixel : public testing::TestWithParam<unsigned> {
  protected:
   double expected() const {
-    const references::TreeTracer tracer(scene_, camera(), side, side, random_.options);
+    const references::TreeTracer tracer(shot());
     return charged_rays(tracer.tree_of(place_.x, place_.y)) * (20 + instances_of(scene_));
   }
   const Camera& camera() const { return scene_.cameras.front(); }
+  Shot shot() const { return {scene_, camera(), side, side, random_.options}; }
 
   const RandomScene random_ = random_scene(GetParam());
   const Scene& scene_ = random_.scene;
@@ -63,7 +65,7 @@ class PriceOfAPixel : public testing::TestWithParam<unsigned> {
 
 TEST_P(PriceOfAPixel, IsTheSameWithAndWithoutATree) {
   const Image none(side, side);
-  const references::AttributionJob job{scene_, camera(), random_.options, none, none, 1e-6};
+  const references::AttributionJob job{shot(), none, none, 1e-6, references::povray_resolution()};
   Work work(endless);
   const references::PixelTracer tracer(scene_, job, random_.options, work);
   const double world = work.spent();
@@ -72,11 +74,9 @@ TEST_P(PriceOfAPixel, IsTheSameWithAndWithoutATree) {
   EXPECT_EQ(work.spent() - world, expected());
   tracer.tree_of({place_.x, place_.y, references::Cause::unexplained});
   EXPECT_EQ(work.spent() - world, 2 * expected());
-  EXPECT_EQ(spent_by([&](Work& of_tree) {
-              references::TreeTracer(scene_, camera(), side, side, random_.options, of_tree)
-                  .tree_of(place_.x, place_.y);
-            }),
-            expected());
+  EXPECT_EQ(
+      spent_by([&](Work& of_tree) { references::TreeTracer(shot(), of_tree).tree_of(place_.x, place_.y); }),
+      expected());
 }
 
 TEST_P(PriceOfAPixel, IsTheSameForFaults) {
@@ -95,7 +95,7 @@ TEST_P(PriceOfAPixel, IsThirtyTimesAsMuchInQuad) {
   EXPECT_EQ(spent_by([&](Work& work) { references::ask_oracle(scene_, camera(), job, {place_}, work); }),
             30 * expected());
   Work work(endless);
-  const references::Oracle oracle(scene_, camera(), side, side, random_.options, work);
+  const references::Oracle oracle(shot(), work);
   const double world = work.spent();
   EXPECT_EQ(world, 30 * 50.0 * static_cast<double>(scene_.shapes.size()));
   oracle.colour(place_.x, place_.y);

@@ -11,7 +11,6 @@
 namespace plumb::gate_power {
 namespace {
 
-using PixelPlace;
 using references::Budget;
 using references::Cause;
 
