@@ -15,7 +15,6 @@ class SceneReport {
  public:
   SceneReport(const std::string& directory, const std::string& title, double tolerance);
 
-  bool is_wanted() const { return writer_ != nullptr; }
   /// `options` are those of plumb explain with which the picture was made, each with a blank before it;
   /// nothing when plumb did not make it.
   void add(const SceneResult& result, const std::optional<std::string>& options);

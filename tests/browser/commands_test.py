@@ -1,22 +1,14 @@
 """The pages that the commands write: every scene of each opens, without an error, at both widths."""
 import json
 import os
-import subprocess
 import tempfile
 import unittest
 from urllib.parse import quote
 
-from support import ReportTest, new_browser
-
-SCENE = """define material matt 0.1 0.1 0.1 0.5 0.5 0.5 0.2 0.2 0.2 10
-define shape sphere ball 0 0 {z} 1 matt
-define light lamp 3 3 3 1 1 1 1
-define camera eye 60
-render eye {name}.ppm 32 24
-"""
+from support import CommandTest, ReportTest, new_browser
 
 
-class Commands(ReportTest):
+class Commands(CommandTest, ReportTest):
     @classmethod
     def setUpClass(cls):
         cls.place = tempfile.TemporaryDirectory()
@@ -35,19 +27,6 @@ class Commands(ReportTest):
 
     def setUp(self):
         pass  # each test writes a page of its own
-
-    @classmethod
-    def write_scene(cls, name, z):
-        with open(f"{cls.place.name}/scenes/{name}.sdf", "w", encoding="ascii") as file:
-            file.write(SCENE.format(z=z, name=name))
-
-    @classmethod
-    def plumb(cls, *words, ends_with=0):
-        done = subprocess.run([os.environ["PLUMB_BINARY"], *words], cwd=cls.place.name, stdout=subprocess.PIPE,
-                              stderr=subprocess.STDOUT, timeout=120,
-                              env={**os.environ, "PLUMB_CACHE": cls.place.name + "/cache"})
-        if done.returncode != ends_with:
-            raise AssertionError(done.stdout.decode())
 
     def check_page(self, *words, ends_with, pictures):
         self.plumb(*words, "--report", "page", ends_with=ends_with)

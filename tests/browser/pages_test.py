@@ -2,18 +2,10 @@
 import json
 import os
 import shutil
-import subprocess
 import tempfile
 import unittest
 
-from support import ReportTest, new_browser
-
-SCENE = """define material matt 0.1 0.1 0.1 0.5 0.5 0.5 0.2 0.2 0.2 10
-define shape sphere ball 0 0 {z} 1 matt
-define light lamp 3 3 3 1 1 1 1
-define camera eye 60
-render eye {name}.ppm 32 24
-"""
+from support import CommandTest, ReportTest, new_browser
 
 LEVELS = (100, 150, 200)
 LONG_NAME = "z" * 63
@@ -33,7 +25,7 @@ PAGES = (
 )
 
 
-class Pages(ReportTest):
+class Pages(CommandTest, ReportTest):
     @classmethod
     def setUpClass(cls):
         cls.place = tempfile.TemporaryDirectory()
@@ -41,8 +33,7 @@ class Pages(ReportTest):
         for folder in ("scenes", "class/right", "class/swapped", f"class/{LONG_NAME}"):
             os.makedirs(f"{cls.place.name}/{folder}")
         for name, z in (("near", -4), ("far", -6)):
-            with open(f"{cls.place.name}/scenes/{name}.sdf", "w", encoding="ascii") as file:
-                file.write(SCENE.format(z=z, name=name))
+            cls.write_scene(name, z)
             cls.plumb("render", f"scenes/{name}.sdf", "-o", f"class/right/{name}.ppm")
             cls.plumb("render", f"scenes/{name}.sdf", "--fault", "ka-kd-swapped", "-o", f"class/swapped/{name}.ppm")
             shutil.copy(f"{cls.place.name}/class/right/{name}.ppm", f"{cls.place.name}/class/{LONG_NAME}")
@@ -57,14 +48,6 @@ class Pages(ReportTest):
 
     def setUp(self):
         pass  # each test opens the pages that it looks at
-
-    @classmethod
-    def plumb(cls, *words, ends_with=0):
-        done = subprocess.run([os.environ["PLUMB_BINARY"], *words], cwd=cls.place.name, stdout=subprocess.PIPE,
-                              stderr=subprocess.STDOUT, timeout=240,
-                              env={**os.environ, "PLUMB_CACHE": cls.place.name + "/cache"})
-        if done.returncode != ends_with:
-            raise AssertionError(f"{words} ended with {done.returncode}: {done.stdout.decode()}")
 
     def of_each_page(self, width, scheme="light"):
         self.resize(width, 900, scheme)

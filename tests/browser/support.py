@@ -15,6 +15,14 @@ RED_GREEN = "scenes/red-green.sdf"
 VALUES = "scenes/values.sdf"
 SAME = "scenes/same.sdf"
 
+# What a command is given, with the place of its ball.
+SCENE = """define material matt 0.1 0.1 0.1 0.5 0.5 0.5 0.2 0.2 0.2 10
+define shape sphere ball 0 0 {z} 1 matt
+define light lamp 3 3 3 1 1 1 1
+define camera eye 60
+render eye {name}.ppm 32 24
+"""
+
 # Every visible text with its contrast, WCAG 2.1, on the first ground below it that is not transparent.
 CONTRASTS = """
 const channel = (c) => { c /= 255; return c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4; };
@@ -48,6 +56,23 @@ def new_browser():
     options.binary_location = "/usr/bin/chromium"
     options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
     return webdriver.Chrome(service=Service("/usr/bin/chromedriver"), options=options)
+
+
+class CommandTest:
+    """A directory, cls.place, in which commands of plumb run and scenes lie."""
+
+    @classmethod
+    def write_scene(cls, name, z):
+        with open(f"{cls.place.name}/scenes/{name}.sdf", "w", encoding="ascii") as file:
+            file.write(SCENE.format(z=z, name=name))
+
+    @classmethod
+    def plumb(cls, *words, ends_with=0):
+        done = subprocess.run([os.environ["PLUMB_BINARY"], *words], cwd=cls.place.name, stdout=subprocess.PIPE,
+                              stderr=subprocess.STDOUT, timeout=240,
+                              env={**os.environ, "PLUMB_CACHE": cls.place.name + "/cache"})
+        if done.returncode != ends_with:
+            raise AssertionError(f"{words} ended with {done.returncode}: {done.stdout.decode()}")
 
 
 class ReportTest(unittest.TestCase):
