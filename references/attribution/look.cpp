@@ -13,7 +13,7 @@ namespace plumb::references {
 namespace {
 
 /// Beside the objects that it is held against: what shading a ray costs.
-constexpr double units_of_shading = 20;
+constexpr double units_of_shading_a_look = 20;
 constexpr std::size_t largest_piece = 32;
 constexpr std::size_t pieces_at_once = 16;
 
@@ -35,7 +35,7 @@ double units_of_ray(const Scene& scene) {
   const auto counts = count_instances(scene);
   double instances = 0;
   for (const ShapeId root : scene.roots()) instances += static_cast<double>(counts[root]);
-  return (units_of_shading + instances) * static_cast<double>(1 + scene.lights.size());
+  return (units_of_shading_a_look + instances) * static_cast<double>(1 + scene.lights.size());
 }
 
 std::size_t look_at(std::size_t n, const LookLimit& limit,

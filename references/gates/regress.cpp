@@ -19,11 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_among(const std::vector<std::string>& sorted, const std::string& name) {
-  return std::binary_search(sorted.begin(), sorted.end(), name);
-}
-
-std::string number(double value) {
+std::string six_digits(double value) {
   char text[32];
   return {text, std::to_chars(text, text + sizeof text, value, std::chars_format::general, 6).ptr};
 }
@@ -41,7 +37,7 @@ std::string components(const float* values) {
 
 std::string at(int x, int y) { return "(" + std::to_string(x) + ", " + std::to_string(y) + ")"; }
 
-std::string size_text(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
+std::string dimensions(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
 
 const Camera& camera_of(const Scene& scene, const RegressOptions& options) {
   return scene.camera(options.camera.empty() ? scene.renders.front().camera : options.camera);
@@ -70,7 +66,7 @@ std::string difference(const Comparison& c) {
   }
   text += "; worst pixel " + at(c.worst.x, c.worst.y) + ": ours " + components(c.worst.test.data()) +
           ", baseline " + components(c.worst.reference.data());
-  return c.non_finite > 0 ? text : text + ", off by " + number(error);
+  return c.non_finite > 0 ? text : text + ", off by " + six_digits(error);
 }
 
 std::string history(const Baseline& baseline, const std::string& scene_sha256) {
@@ -106,8 +102,8 @@ void judge_size(const Baseline& baseline, const std::string& asked, RegressedSce
   SceneResult& result = scene.result;
   result.status = Status::differ;
   result.comparison.pixels = result.comparison.pixels_over = scene.image->rgb.size() / 3;
-  result.message = "the size is " + size_text(result.width, result.height) + ", of the baseline " +
-                   size_text(baseline.width, baseline.height) + asked;
+  result.message = "the size is " + dimensions(result.width, result.height) + ", of the baseline " +
+                   dimensions(baseline.width, baseline.height) + asked;
   result.not_compared = "images of two sizes are not compared";
 }
 
@@ -227,7 +223,7 @@ std::vector<RegressedScene> regress(const std::string& directory, const RegressO
   };
   for (const std::string& name : names) finish(judged(approved, options, directory, name));
   for (const std::string& name : approved.names()) {
-    if (!is_among(names, name)) finish(orphan(approved, directory, name));
+    if (!std::ranges::binary_search(names, name)) finish(orphan(approved, directory, name));
   }
   return scenes;
 }

@@ -50,7 +50,7 @@ std::string verdict(const SceneResult& result, const std::string& broken) {
   return broken.empty() ? said : said + "; but " + broken;
 }
 
-std::string number(double value) {
+std::string three_digits(double value) {
   char text[32];
   return {text, std::to_chars(text, text + sizeof text, value, std::chars_format::general, 3).ptr};
 }
@@ -126,7 +126,7 @@ class SceneVerifier {
     try {
       const Image in_double = ours_of(scene_, options_.render, RealType::float64);
       const double error = compare(in_double, ours, options_.tolerance).judged_error;
-      by = ": float32 alone differs from double by up to " + number(error) + " here";
+      by = ": float32 alone differs from double by up to " + three_digits(error) + " here";
     } catch (const std::runtime_error&) {
       // The verdict stands without the figure.
     }

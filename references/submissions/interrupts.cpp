@@ -14,7 +14,7 @@ namespace plumb::references {
 namespace {
 
 constexpr std::array numbers{SIGINT, SIGTERM, SIGHUP};
-std::array<struct sigaction, numbers.size()> before;
+std::array<struct sigaction, numbers.size()> actions_before;
 std::atomic<bool> has_come{false};
 
 void say_it_stops() {
@@ -25,7 +25,7 @@ void say_it_stops() {
 void on_signal(int number) {
   if (!has_come.exchange(true)) return say_it_stops();
   for (std::size_t i = 0; i < numbers.size(); ++i) {
-    if (numbers.at(i) == number) ::sigaction(number, &before.at(i), nullptr);
+    if (numbers.at(i) == number) ::sigaction(number, &actions_before.at(i), nullptr);
   }
   ::raise(number);  // acts when this handler returns
 }
@@ -39,14 +39,14 @@ Interrupts::Interrupts() {
     struct sigaction action {};
     action.sa_handler = &on_signal;
     action.sa_flags = SA_RESTART;
-    ::sigaction(numbers.at(i), nullptr, &before.at(i));
-    const bool is_ignored = before.at(i).sa_handler == SIG_IGN;  // as under nohup
+    ::sigaction(numbers.at(i), nullptr, &actions_before.at(i));
+    const bool is_ignored = actions_before.at(i).sa_handler == SIG_IGN;  // as under nohup
     if (!is_ignored) ::sigaction(numbers.at(i), &action, nullptr);
   }
 }
 
 Interrupts::~Interrupts() {
-  for (std::size_t i = 0; i < numbers.size(); ++i) ::sigaction(numbers.at(i), &before.at(i), nullptr);
+  for (std::size_t i = 0; i < numbers.size(); ++i) ::sigaction(numbers.at(i), &actions_before.at(i), nullptr);
 }
 
 bool Interrupts::came() { return has_come; }

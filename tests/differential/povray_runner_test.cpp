@@ -17,6 +17,7 @@
 #include "references/renderers/cache.hpp"
 #include "references/renderers/povray.hpp"
 #include "tests/support/run.hpp"
+#include "tests/support/variable.hpp"
 #include "tracer/image/io.hpp"
 #include "tracer/system/files.hpp"
 
@@ -29,28 +30,6 @@ using references::Povray;
 using references::PovrayError;
 using references::PovrayJob;
 using references::PovrayPicture;
-
-/// An environment variable for the length of a scope.
-class Variable {
- public:
-  Variable(const char* name, const std::string& value) : name_(name) {
-    if (const char* const old = std::getenv(name)) old_ = old;
-    setenv(name, value.c_str(), 1);
-  }
-  ~Variable() {
-    if (old_) {
-      setenv(name_, old_->c_str(), 1);
-    } else {
-      unsetenv(name_);
-    }
-  }
-  Variable(const Variable&) = delete;
-  Variable& operator=(const Variable&) = delete;
-
- private:
-  const char* name_;
-  std::optional<std::string> old_;
-};
 
 /// A shell script that stands on PATH in the place of POV-Ray.
 class FakePovray {
@@ -67,13 +46,14 @@ class FakePovray {
   Variable path_;
 };
 
-constexpr int width = 8;
-constexpr int height = 6;
+constexpr int picture_width = 8;
+constexpr int picture_height = 6;
 const std::string start = "#version 3.7;\nglobal_settings { assumed_gamma 1.0 }\n";
 
 /// All pixels have one colour.
 PovrayJob job_with_background(const std::string& rgb) {
-  return {start + "background { rgb <" + rgb + "> }\nsphere { <0,0,-99>, 1 }\n", width, height};
+  return {start + "background { rgb <" + rgb + "> }\nsphere { <0,0,-99>, 1 }\n", picture_width,
+          picture_height};
 }
 
 std::string message_of(const PovrayJob& job) {
@@ -113,7 +93,7 @@ std::vector<std::string> processes_in(const std::string& directory) {
 
 TEST(PovrayRunner, AParseErrorIsToldWithItsLineOfSdl) {
   const std::string message =
-      message_of({start + "sphere { <0,0,0>, 1 }\nsphere { oddly_named }\n", width, height});
+      message_of({start + "sphere { <0,0,0>, 1 }\nsphere { oddly_named }\n", picture_width, picture_height});
   EXPECT_TRUE(has(message, "Parse Error")) << message;
   EXPECT_TRUE(has(message, "line 4")) << message;
   EXPECT_TRUE(has(message, "| sphere { oddly_named }")) << message;
@@ -133,7 +113,7 @@ TEST(PovrayRunner, WarningsAreTold) {
   std::vector<std::future<PovrayPicture>> running;
   for (const Case& c : cases) {
     running.push_back(std::async(std::launch::async, [&povray, &c] {
-      return povray.render({c.sdl, width, height});
+      return povray.render({c.sdl, picture_width, picture_height});
     }));
   }
   for (std::size_t i = 0; i < cases.size(); ++i) {
@@ -151,8 +131,8 @@ TEST(PovrayRunner, ASceneThatIsFineGivesNoWarningsAndItsCpuTime) {
   EXPECT_EQ(picture.precision, "float32");
   EXPECT_GT(picture.cpu_seconds, 0);
   EXPECT_LT(picture.cpu_seconds, 10);
-  for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x) {
+  for (int y = 0; y < picture_height; ++y) {
+    for (int x = 0; x < picture_width; ++x) {
       EXPECT_EQ(std::vector<float>(picture.image.pixel(x, y), picture.image.pixel(x, y) + 3),
                 (std::vector<float>{0.5F, 1.5F, 0.25F}));
     }
@@ -176,7 +156,7 @@ TEST(PovrayRunner, SeveralRunsAtOnceDoNotDisturbEachOther) {
 TEST(PovrayRunner, ARunBeyondItsTimeIsEndedAndLeavesNothing) {
   const Workplace workplace;
   const Variable temporary("TMPDIR", workplace.directory());
-  PovrayJob job{start + "#while (1)\n#end\n", width, height};
+  PovrayJob job{start + "#while (1)\n#end\n", picture_width, picture_height};
   job.time_limit_seconds = 1.2;
   const auto before = std::chrono::steady_clock::now();
   const std::string message = message_of(job);
@@ -244,7 +224,7 @@ TEST(PovrayRunner, WhateverAFakePovrayLeavesIsAClearError) {
 }
 
 TEST(PovrayRunner, WithoutAUsableStateFileItsPngIsTakenAndThatIsSaid) {
-  Image image(width, height);
+  Image image(picture_width, picture_height);
   for (std::size_t i = 0; i < image.rgb.size(); ++i) image.rgb[i] = static_cast<float>(i) / 200;
   for (const char* state : {"", "printf 'POV-Ray Render State File' > out.pov-state\n",
                             "head -c 5000 /dev/zero > out.pov-state\n", "rm -f out.pov-state t.state\n"}) {
@@ -263,7 +243,7 @@ TEST(PovrayRunner, WithoutAUsableStateFileItsPngIsTakenAndThatIsSaid) {
 
 TEST(PovrayRunner, APngOfAnotherSizeIsNotTaken) {
   const FakePovray fake("cp \"${0%/*}/good.png\" out.png\n");
-  write_image(fake.workplace().path("good.png"), Image(width, height + 1), Encoding::linear);
+  write_image(fake.workplace().path("good.png"), Image(picture_width, picture_height + 1), Encoding::linear);
   EXPECT_TRUE(has(message_of(job_with_background("0,0,0")), "size"));
 }
 
@@ -316,7 +296,7 @@ TEST(PovrayRunner, AProgramThatIsNoPovrayIsFoundOutByItsVersion) {
 
 PovrayPicture some_picture() {
   PovrayPicture picture;
-  picture.image = Image(width, height);
+  picture.image = Image(picture_width, picture_height);
   for (std::size_t i = 0; i < picture.image.rgb.size(); ++i)
     picture.image.rgb[i] = 0.1F * static_cast<float>(i);
   picture.image.rgb[3] = std::numeric_limits<float>::infinity();
@@ -374,7 +354,7 @@ TEST_F(CacheOfPictures, AFlippedBitAnywhereIsNoticed) {
   cache_.store(job_, version_, some_picture());
   const std::string path = cache_.entry_path(job_, version_);
   const std::string good = read_file(path);
-  ASSERT_GT(good.size(), width * height * 3 * sizeof(float));
+  ASSERT_GT(good.size(), picture_width * picture_height * 3 * sizeof(float));
   for (std::size_t at = 0; at < good.size(); ++at) {
     std::string bytes = good;
     bytes[at] = static_cast<char>(bytes[at] ^ (1 << (at % 8)));
@@ -411,8 +391,8 @@ TEST_F(CacheOfPictures, AllThatDeterminesThePictureIsInTheKey) {
   other.text += " ";
   EXPECT_FALSE(cache_.find(other, version_).has_value()) << "text";
   other = job_;
-  other.width = height;
-  other.height = width;
+  other.width = picture_height;
+  other.height = picture_width;
   EXPECT_FALSE(cache_.find(other, version_).has_value()) << "size";
   other = job_;
   other.without_bounding = true;
@@ -425,8 +405,8 @@ TEST_F(CacheOfPictures, AllThatDeterminesThePictureIsInTheKey) {
 
 TEST_F(CacheOfPictures, AnEntryForAnotherSizeInItsPlaceIsNotTaken) {
   PovrayJob other = job_;
-  other.width = height;
-  other.height = width;
+  other.width = picture_height;
+  other.height = picture_width;
   PovrayPicture picture = some_picture();
   std::swap(picture.image.width, picture.image.height);
   cache_.store(other, version_, picture);
