@@ -17,7 +17,7 @@ namespace {
 constexpr float close = 2;
 /// The share of the pixels that are not right, that faults have to make right to the last level, so that they
 /// are named: because in pictures of scenes in which one number was changed two faults gave 0.88 of them.
-constexpr double enough = 0.9;
+constexpr double enough_explained = 0.9;
 /// The same of the telling pixels: because faults with which a scene is nearly empty give next to none of
 /// them in a picture of it from farther away, and the faults of a real tracer gave half.
 constexpr double enough_that_tells = 0.5;
@@ -162,7 +162,7 @@ class Diagnostician {
     if (!left.pixels.empty() && shows_nothing(evidence_, fit.set)) return false;
     const double wrong = static_cast<double>(right.pixels.size());
     diagnosis_.explained = 1 - static_cast<double>(left.pixels.size()) / wrong;
-    if (diagnosis_.explained < enough || told_share(right, left) < enough_that_tells) return false;
+    if (diagnosis_.explained < enough_explained || told_share(right, left) < enough_that_tells) return false;
     if (!is_small_part(left.pixels.size())) return false;
     tell(PictureVerdict::faults, left, fit.set);
     fit.encoding = left.encoding;

@@ -14,7 +14,7 @@
 namespace plumb::references {
 namespace {
 
-constexpr float levels = 255;
+constexpr float levels_of_a_byte = 255;
 constexpr double most_units_of_survey = 8e6;  // a fifth of a second
 constexpr double most_units_in_all = 3.4e8;   // 8 s at most, a quarter of it as a rule
 
@@ -25,7 +25,7 @@ float difference(const float* unrounded, const float* seen, const OutputEncoding
   for (std::size_t channel = 0; channel < 3; ++channel) {
     const float level = encoding.rounded(unrounded[channel], channel);
     const float apart = std::abs(level - seen[channel]);
-    if (!std::isfinite(apart)) return levels;
+    if (!std::isfinite(apart)) return levels_of_a_byte;
     largest = std::max(largest, apart);
   }
   return largest;
@@ -44,7 +44,7 @@ double log_of(float difference) {
     for (int d = 0; d < 256; ++d) logs.push_back(std::log1p(d));
     return logs;
   }();
-  const auto whole = static_cast<std::size_t>(std::min(difference, levels));
+  const auto whole = static_cast<std::size_t>(std::min(difference, levels_of_a_byte));
   return static_cast<float>(whole) == difference ? known[whole] : std::log1p(difference);
 }
 
@@ -110,7 +110,7 @@ Evidence::Evidence(const Scene& scene, const Camera& camera, const textbook::Ren
   else
     errors_ = float_errors(scene_, camera_, job_, right_);
   if (errors_.measured.empty()) errors_.measured = errors_.allowed;
-  allowed_levels_ = known.read.is_float ? 0 : levels * tolerance.value_or(0);
+  allowed_levels_ = known.read.is_float ? 0 : levels_of_a_byte * tolerance.value_or(0);
 }
 
 bool Evidence::is_finite(std::size_t pixel) const {
@@ -257,7 +257,7 @@ double Evidence::association(const std::vector<float>& colours) const {
     for (std::size_t i = 0; i < given.size(); ++i) {
       given[i] = colours[3 * i + channel];
       const float level = seen(index_of(places_[i]))[channel];
-      levels_seen[i] = std::isfinite(level) ? level : -levels;  // what is no number has no order
+      levels_seen[i] = std::isfinite(level) ? level : -levels_of_a_byte;  // what is no number has no order
     }
     sum += xi(given, levels_seen);
   }

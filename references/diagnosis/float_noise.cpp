@@ -17,7 +17,7 @@ namespace {
 
 /// because a tracer rounds some 32 times, 2^-25 each on average and by chance up or down, on the way to a hit
 /// through composites and mirrors: three times the root of their number
-constexpr double rounded = 0x1p-21;
+constexpr double rounding_of_float = 0x1p-21;
 /// because more of a shape's size would be seen
 constexpr double most_of_a_shape = 1e-3;
 
@@ -31,7 +31,7 @@ double step_of(const Sphere& sphere, const Mat4<double>& world_from_object, cons
   const Vec3d middle(world_from_object * glm::dvec4(sphere.center, 1));
   const double reach = glm::length(middle) + glm::length(middle - eye) + size * enlargement;
   if (!(enlargement > 0) || !(size > 0) || !std::isfinite(reach)) return 0;
-  const double step = rounded * reach * (1 + reach / (size * enlargement)) / enlargement;
+  const double step = rounding_of_float * reach * (1 + reach / (size * enlargement)) / enlargement;
   return std::min(step, most_of_a_shape * size);
 }
 
@@ -68,7 +68,7 @@ void move(Sphere& sphere, const Vec3d& step, int number, double share) {
 void move(Box& box, const Vec3d& coordinates, int number, double share) {
   const double most = most_of_a_shape * glm::length(box.max - box.min) / 2;
   const auto moved = [&](int axis, double face) {
-    const double step = std::min(most, rounded * (std::abs(face) + coordinates[axis]));
+    const double step = std::min(most, rounding_of_float * (std::abs(face) + coordinates[axis]));
     return face + share * step * part_of(number, axis, face);
   };
   for (int axis = 0; axis < 3; ++axis) {

@@ -8,7 +8,7 @@
 namespace plumb::references {
 namespace {
 
-constexpr float most = 255;
+constexpr float white_level = 255;
 /// because a curve and a product in float32 lose less than ten units in the last place, 6e-8 each
 constexpr float lost_by_encoding = 1e-6F;
 /// What a factor may lose, because 255.99 is as common a factor as 256; in 255ths of the step of 256 levels.
@@ -21,7 +21,7 @@ float reduced_to_8_bits(float level, Reduced reduced) {
     case Reduced::rounded:
       return std::floor(level + 0.5F);
     case Reduced::equal_parts:
-      return std::min(most, std::floor(level * ((most + 1) / most)));
+      return std::min(white_level, std::floor(level * ((white_level + 1) / white_level)));
     case Reduced::no:
       break;
   }
@@ -30,7 +30,9 @@ float reduced_to_8_bits(float level, Reduced reduced) {
 
 /// Returns the power of two that is the exponent of a value, in the units of a file: 255 for 1.
 float power_of_two_below(float value) {
-  return value > 0 && std::isfinite(value) ? most * std::exp2(std::floor(std::log2(value / most))) : 0;
+  return value > 0 && std::isfinite(value)
+             ? white_level * std::exp2(std::floor(std::log2(value / white_level)))
+             : 0;
 }
 
 float curved(float c, Curve curve) {
@@ -42,7 +44,7 @@ float curved(float c, Curve curve) {
 }  // namespace
 
 float OutputEncoding::unrounded(float colour) const {
-  return most * curved(tone_map ? tone_mapped(colour) : colour, curve);
+  return white_level * curved(tone_map ? tone_mapped(colour) : colour, curve);
 }
 
 float OutputEncoding::rounded(float level, std::size_t channel) const {
@@ -51,13 +53,13 @@ float OutputEncoding::rounded(float level, std::size_t channel) const {
   const auto steps = static_cast<float>(levels.at(channel) - 1);
   level = reduced_to_8_bits(level, reduced);
   const bool is_upper = has_upper_bits.at(channel);
-  const float scaled = level * ((has_equal_parts || is_upper ? steps + 1 : steps) / most);
+  const float scaled = level * ((has_equal_parts || is_upper ? steps + 1 : steps) / white_level);
   const float step = std::clamp(std::floor(rounds && !is_upper ? scaled + 0.5F : scaled), 0.0F, steps);
-  return most * step / steps;
+  return white_level * step / steps;
 }
 
 float OutputEncoding::slack(float level, const float* seen, std::size_t channel) const {
-  const float lost_by_curve = lost_by_encoding * std::max(most, std::abs(level));
+  const float lost_by_curve = lost_by_encoding * std::max(white_level, std::abs(level));
   if (is_float) {
     const float held = shares_exponent ? *std::max_element(seen, seen + 3) : std::abs(seen[channel]);
     return lost_by_curve + (shares_exponent ? lost * power_of_two_below(held) : lost * held);
@@ -65,7 +67,7 @@ float OutputEncoding::slack(float level, const float* seen, std::size_t channel)
   const bool is_by_8_bits = has_upper_bits.at(channel) || reduced == Reduced::equal_parts;
   if (is_by_8_bits) return lost_by_curve + lost_by_factor;
   const auto steps = static_cast<float>(levels.at(channel) - 1);
-  return lost_by_curve + (has_equal_parts ? lost_by_factor * (most / steps) : 0);
+  return lost_by_curve + (has_equal_parts ? lost_by_factor * (white_level / steps) : 0);
 }
 
 std::string OutputEncoding::depth_in_words() const {

@@ -13,7 +13,7 @@
 namespace plumb::references {
 namespace {
 
-constexpr std::size_t channels = 3;
+constexpr std::size_t channels_of_colour = 3;
 /// The pixels that encodings are chosen by, evenly spread; all of most pictures.
 constexpr std::size_t most_to_choose_by = 200'000;
 constexpr int moves = 48;  // because an edge that shows in half of the moves is missed in none of 48
@@ -21,8 +21,8 @@ constexpr int moves = 48;  // because an edge that shows in half of the moves is
 /// seconds.
 constexpr std::size_t most_without_sample = 1000;
 constexpr std::size_t size_of_sample = 200;
-constexpr int moves_of_sample = 8;  // because half of the edges show in the first of them
-constexpr double most_units = 6e7;  // of Work: some 1.5 s
+constexpr int moves_of_sample = 8;             // because half of the edges show in the first of them
+constexpr double most_units_of_remains = 6e7;  // of Work: some 1.5 s
 /// because outcomes that are nearer, five levels, are of one surface, and what lies between them may be, too
 constexpr float one_surface = 5.0F / 255;
 
@@ -34,7 +34,7 @@ class Holding {
 
   /// True if a colour between the two, or off by what float32 rounds, gives what is seen.
   bool holds(const float* low, const float* high, std::size_t pixel) const {
-    for (std::size_t channel = 0; channel < channels; ++channel) {
+    for (std::size_t channel = 0; channel < channels_of_colour; ++channel) {
       if (!holds(low[channel], high[channel], pixel, channel)) return false;
     }
     return true;
@@ -44,7 +44,7 @@ class Holding {
   double levels_off(const float* colour, std::size_t pixel) const {
     const float* const seen = evidence_.seen(pixel);
     float largest = 0;
-    for (std::size_t channel = 0; channel < channels; ++channel) {
+    for (std::size_t channel = 0; channel < channels_of_colour; ++channel) {
       const float level = encoding_.level(colour[channel], channel);
       const float off = std::abs(level - seen[channel]);
       if (!std::isfinite(off)) return 255;
@@ -116,7 +116,7 @@ double cost_of(const Evidence& evidence, const Image& image, const OutputEncodin
   const double half_a_step = 127.5 / *std::max_element(encoding.levels.begin(), encoding.levels.end());
   double cost = 0;
   for (std::size_t i = 0; i < pixels && cost < most; i += stride) {
-    const float* const colour = &image.rgb[channels * i];
+    const float* const colour = &image.rgb[channels_of_colour * i];
     if (!holding.holds(colour, colour, i)) {
       cost += 1 + std::log1p(holding.levels_off(colour, i)) / 8;
     } else if (!encoding.is_float && holding.levels_off(colour, i) > half_a_step) {
@@ -138,7 +138,7 @@ OutputEncoding best_encoding(const Evidence& evidence, const Image& image) {
   return best;
 }
 
-using Outcome = std::array<float, channels>;
+using Outcome = std::array<float, channels_of_colour>;
 
 /// A pixel that is tried, and the colours that moved scenes gave it.
 struct Suspect {
@@ -151,7 +151,7 @@ struct Suspect {
 };
 
 bool are_of_one_surface(const Outcome& a, const Outcome& b) {
-  for (std::size_t c = 0; c < channels; ++c) {
+  for (std::size_t c = 0; c < channels_of_colour; ++c) {
     const float scale = std::max({1.0F, std::abs(a[c]), std::abs(b[c])});
     if (!(std::abs(a[c] - b[c]) <= one_surface * scale)) return false;
   }
@@ -160,7 +160,7 @@ bool are_of_one_surface(const Outcome& a, const Outcome& b) {
 
 /// True if both are alike but for errors. What is off by more is another surface or another light.
 bool are_of_one_error(const Outcome& a, const Outcome& b) {
-  for (std::size_t c = 0; c < channels; ++c) {
+  for (std::size_t c = 0; c < channels_of_colour; ++c) {
     if (!(std::abs(a[c] - b[c]) <= most_of_an_error * std::max(1.0F, std::abs(b[c])))) return false;
   }
   return true;
@@ -214,7 +214,7 @@ class Proof {
       const Outcome in_float = colour_at(colours.data(), i), in_double = colour_at(right, all[i].pixel);
       Outcome low = in_float, high = in_float;
       all[i].is_edge |= !are_of_one_error(in_float, in_double);
-      for (std::size_t c = 0; c < channels && !all[i].is_edge; ++c) {
+      for (std::size_t c = 0; c < channels_of_colour && !all[i].is_edge; ++c) {
         const float error = other_tracer * std::abs(in_float[c] - in_double[c]);
         low[c] = in_double[c] - error;
         high[c] = in_double[c] + error;
@@ -224,7 +224,7 @@ class Proof {
   }
 
   void try_moves(std::vector<Suspect>& all, int most) const {
-    textbook::Work work(most_units);
+    textbook::Work work(most_units_of_remains);
     for (int number = 0; number < most && !work.is_over(); ++number) {
       if (std::all_of(all.begin(), all.end(), [](const Suspect& s) { return s.is_proven; })) return;
       trace(number, all, work);
@@ -286,7 +286,8 @@ class Proof {
   }
 
   static Outcome colour_at(const float* colours, std::size_t place) {
-    return {colours[channels * place], colours[channels * place + 1], colours[channels * place + 2]};
+    return {colours[channels_of_colour * place], colours[channels_of_colour * place + 1],
+            colours[channels_of_colour * place + 2]};
   }
 
   void add(const Outcome& outcome, Suspect& s) const {
@@ -306,7 +307,7 @@ class Proof {
     if (holding_.holds(a.data(), a.data(), pixel) || holding_.holds(b.data(), b.data(), pixel)) return true;
     if (!are_of_one_surface(a, b)) return false;
     Outcome low{}, high{};
-    for (std::size_t c = 0; c < channels; ++c) std::tie(low[c], high[c]) = std::minmax(a[c], b[c]);
+    for (std::size_t c = 0; c < channels_of_colour; ++c) std::tie(low[c], high[c]) = std::minmax(a[c], b[c]);
     return holding_.holds(low.data(), high.data(), pixel);
   }
 
@@ -323,7 +324,7 @@ Remains remains_of(const Evidence& evidence, const FaultSet& set) {
   remains.encoding = best_encoding(evidence, image);
   const Holding holding(evidence, remains.encoding);
   for (std::size_t i = 0; i < evidence.pixels_of_picture(); ++i) {
-    const float* const colour = &image.rgb[channels * i];
+    const float* const colour = &image.rgb[channels_of_colour * i];
     if (!holding.holds(colour, colour, i)) remains.pixels.push_back(i);
   }
   Proof(evidence, set, remains.encoding).prove(remains);
@@ -336,7 +337,8 @@ std::vector<bool> within(const Evidence& evidence, const FaultSet& set, const Ou
   const Holding holding(evidence, encoding);
   std::vector<bool> all(places.size());
   for (std::size_t i = 0; i < places.size(); ++i)
-    all[i] = holding.holds(&colours[channels * i], &colours[channels * i], evidence.index_of(places[i]));
+    all[i] = holding.holds(&colours[channels_of_colour * i], &colours[channels_of_colour * i],
+                           evidence.index_of(places[i]));
   return all;
 }
 

@@ -25,8 +25,8 @@ constexpr double least_righted = 0.1;
 /// What a spoilt pixel costs, because a fault that is really there spoils nothing but what another fault
 /// hides.
 constexpr double price_of_spoilt = 10;
-constexpr std::size_t glance = 60;  // pixels, at pairs of faults
-constexpr double most_units = 3e7;  // of Work: some 1 s
+constexpr std::size_t glance = 60;            // pixels, at pairs of faults
+constexpr double most_units_of_search = 3e7;  // of Work: some 1 s
 constexpr double nothing_left =
     0.005;                     // because float and double disagree by a level in some of a thousand pixels
 constexpr double looks = 450;  // at all even pixels, in a search for two or three faults
@@ -43,8 +43,8 @@ class Search {
   explicit Search(Evidence& evidence)
       : evidence_(evidence),
         even_(std::min(evidence.pixels_of_picture() / 4 + 1,
-                       static_cast<std::size_t>(
-                           std::clamp(most_units / (looks * evidence.units_of_pixel()), 100.0, 500.0)))),
+                       static_cast<std::size_t>(std::clamp(
+                           most_units_of_search / (looks * evidence.units_of_pixel()), 100.0, 500.0)))),
         has_effect_(fault_catalogue().size(), false) {}
 
   Fit best() {
@@ -315,7 +315,8 @@ class Search {
   std::vector<PixelPlace> some_of(const std::vector<PixelPlace>& places) const {
     constexpr double sets = 300;
     std::vector<PixelPlace> some;
-    const auto affordable = static_cast<std::size_t>(most_units / (sets * evidence_.units_of_pixel()));
+    const auto affordable =
+        static_cast<std::size_t>(most_units_of_search / (sets * evidence_.units_of_pixel()));
     const std::size_t count = std::min(places.size(), std::clamp(affordable, std::size_t{40}, polishing));
     for (std::size_t i = 0; i < count; ++i) some.push_back(places[i * places.size() / count]);
     return some;

@@ -188,7 +188,7 @@ std::vector<RegressedScene> regress(const std::string& directory, const RegressO
   };
   for (const std::string& name : names) finish(judged(approved, options, directory, name));
   for (const std::string& name : approved.names()) {
-    if (!is_among(names, name)) finish(orphan(approved, directory, name));
+    if (!std::ranges::binary_search(names, name)) finish(orphan(approved, directory, name));
   }
   return scenes;
 }

@@ -17,23 +17,23 @@ namespace plumb::references {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 constexpr const char* records_name = "/baselines.json";
 constexpr const char* remedy = "; bring both back as they were approved, e.g. git checkout ";
 
-Json to_json(const Baseline& b) {
-  Json json{{"scene", b.name + ".sdf"},
-            {"image", b.name + ".exr"},
-            {"who", b.who},
-            {"when", b.when},
-            {"why", b.why},
-            {"version", b.version},
-            {"width", b.width},
-            {"height", b.height},
-            {"scene_sha256", b.scene_sha256},
-            {"pixels_sha256", b.pixels_sha256},
-            {"command", b.command}};
+OrderedJson to_json(const Baseline& b) {
+  OrderedJson json{{"scene", b.name + ".sdf"},
+                   {"image", b.name + ".exr"},
+                   {"who", b.who},
+                   {"when", b.when},
+                   {"why", b.why},
+                   {"version", b.version},
+                   {"width", b.width},
+                   {"height", b.height},
+                   {"scene_sha256", b.scene_sha256},
+                   {"pixels_sha256", b.pixels_sha256},
+                   {"command", b.command}};
   if (!b.renderer.empty()) json["renderer"] = b.renderer;
   return json;
 }
@@ -43,8 +43,8 @@ bool is_within(const fs::path& name) {
   return !name.empty() && name.is_relative() && name == name.lexically_normal() && *name.begin() != "..";
 }
 
-/// Throws Json::exception or std::runtime_error.
-Baseline from_json(const Json& json) {
+/// Throws OrderedJson::exception or std::runtime_error.
+Baseline from_json(const OrderedJson& json) {
   constexpr std::string_view extension = ".sdf";
   const std::string scene = json.at("scene");
   Baseline b{scene.substr(0, scene.size() - std::min<std::size_t>(scene.size(), extension.size())),
@@ -78,11 +78,11 @@ void put(std::vector<Baseline>& entries, Baseline entry) {
 }
 
 std::string text_of(const std::vector<Baseline>& entries, const std::string& directory) {
-  Json all = Json::array();
+  OrderedJson all = OrderedJson::array();
   for (const Baseline& b : entries) all.push_back(to_json(b));
   try {
     return json_text(all, 2) + "\n";
-  } catch (const Json::type_error&) {
+  } catch (const OrderedJson::type_error&) {
     throw std::runtime_error(directory + records_name +
                              ": not written: found a name or reason that is not UTF-8, which JSON needs");
   }
@@ -94,9 +94,9 @@ Baselines::Baselines(std::string directory) : directory_(std::move(directory)) {
   const std::string path = directory_ + records_name;
   if (!fs::exists(path)) return;
   try {
-    const Json all = parse_ordered_json(read_file(path));
+    const OrderedJson all = parse_ordered_json(read_file(path));
     if (!all.is_array()) throw std::runtime_error("expected a list of records");
-    for (const Json& entry : all) {
+    for (const OrderedJson& entry : all) {
       Baseline baseline = from_json(entry);
       if (find(baseline.name) != nullptr) throw std::runtime_error("'" + baseline.name + "' is there twice");
       put(entries_, std::move(baseline));

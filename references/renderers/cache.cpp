@@ -22,7 +22,6 @@ namespace plumb::references {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::json;
 
 constexpr const char* entry_magic = "plumb cache 2\n";
 

@@ -5,22 +5,24 @@
 namespace plumb::references {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
-Json or_null(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
+OrderedJson or_null(const std::string& text) {
+  return text.empty() ? OrderedJson(nullptr) : OrderedJson(text);
+}
 
 template <class Value>
-Json or_null(const std::optional<Value>& value) {
-  return value ? Json(*value) : Json(nullptr);
+OrderedJson or_null(const std::optional<Value>& value) {
+  return value ? OrderedJson(*value) : OrderedJson(nullptr);
 }
 
 const char* name_of(Truth truth) { return truth == Truth::pixel_centres ? "pixel_centres" : "pixel_areas"; }
 
-Json json_of(const Spread& spread) {
+OrderedJson json_of(const Spread& spread) {
   return {{"median", spread.median}, {"min", spread.min}, {"max", spread.max}};
 }
 
-Json json_of(const ChartPoint& point) {
+OrderedJson json_of(const ChartPoint& point) {
   const Configuration& way = point.way;
   return {{"id", way.id},
           {"title", way.title},
@@ -48,26 +50,27 @@ Json json_of(const ChartPoint& point) {
 
 }  // namespace
 
-Json to_json(const Chart& chart) {
-  Json json{{"plumb", PLUMB_VERSION},
-            {"machine", chart.machine},
-            {"povray", or_null(chart.povray)},
-            {"size", {{"width", chart.options.size.width}, {"height", chart.options.size.height}}},
-            {"runs", chart.options.runs},
-            {"depth", chart.options.render.depth},
-            {"tolerance", 1e-6},
-            {"truths",
-             {{"pixel_centres", "textbook tracer, 113 bits, one sample through each pixel's centre"},
-              {"pixel_areas", "engine, double, " + std::to_string(samples_of_area) + " samples a pixel"}}},
-            {"cost",
-             "processor time of one thread, the scene's preparation included; of POV-Ray without its start: "
-             "less a picture of 2 x 2. ratio: to the fastest of the scene, each run divided by the yardstick "
-             "measured just before it"},
-            {"yardstick", yardstick().id},
-            {"instructions_complaint", or_null(chart.instructions)},
-            {"scenes", Json::array()}};
+OrderedJson to_json(const Chart& chart) {
+  OrderedJson json{
+      {"plumb", PLUMB_VERSION},
+      {"machine", chart.machine},
+      {"povray", or_null(chart.povray)},
+      {"size", {{"width", chart.options.size.width}, {"height", chart.options.size.height}}},
+      {"runs", chart.options.runs},
+      {"depth", chart.options.render.depth},
+      {"tolerance", 1e-6},
+      {"truths",
+       {{"pixel_centres", "textbook tracer, 113 bits, one sample through each pixel's centre"},
+        {"pixel_areas", "engine, double, " + std::to_string(samples_of_area) + " samples a pixel"}}},
+      {"cost",
+       "processor time of one thread, the scene's preparation included; of POV-Ray without its start: "
+       "less a picture of 2 x 2. ratio: to the fastest of the scene, each run divided by the yardstick "
+       "measured just before it"},
+      {"yardstick", yardstick().id},
+      {"instructions_complaint", or_null(chart.instructions)},
+      {"scenes", OrderedJson::array()}};
   for (const ChartScene& scene : chart.scenes) {
-    Json points = Json::array();
+    OrderedJson points = OrderedJson::array();
     for (const ChartPoint& point : scene.points) points.push_back(json_of(point));
     json["scenes"].push_back({{"scene", scene.scene}, {"left_out", scene.left_out}, {"points", points}});
   }

@@ -235,19 +235,19 @@ class Class {
   bool has_complained_ = false;
 };
 
-constexpr std::array names{"right",           "right-apart",  "faults",          "unexplained",
-                           "wrong-size",      "no-image",     "unreadable",      "crashed",
-                           "timed-out",       "too-much-cpu", "too-much-memory", "too-many-processes",
-                           "too-much-output", "trouble",      "not-judged"};
+constexpr std::array names_of_verdicts{
+    "right",           "right-apart",        "faults",          "unexplained", "wrong-size",
+    "no-image",        "unreadable",         "crashed",         "timed-out",   "too-much-cpu",
+    "too-much-memory", "too-many-processes", "too-much-output", "trouble",     "not-judged"};
 
 }  // namespace
 
-const char* to_string(Judged verdict) { return names.at(static_cast<std::size_t>(verdict)); }
+const char* to_string(Judged verdict) { return names_of_verdicts.at(static_cast<std::size_t>(verdict)); }
 
 Judged verdict_named(const std::string& name) {
-  const auto at = std::find(names.begin(), names.end(), name);
-  if (at == names.end()) throw std::invalid_argument("found the verdict " + name);
-  return static_cast<Judged>(at - names.begin());
+  const auto at = std::find(names_of_verdicts.begin(), names_of_verdicts.end(), name);
+  if (at == names_of_verdicts.end()) throw std::invalid_argument("found the verdict " + name);
+  return static_cast<Judged>(at - names_of_verdicts.begin());
 }
 
 std::vector<JudgedPicture> judge_all(const std::vector<Submission>& submissions,

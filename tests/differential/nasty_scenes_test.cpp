@@ -33,7 +33,7 @@ RenderJob job_of(const Scene& scene, const RenderOptions& options) {
 }
 
 /// Everything that the engine can choose; the picture depends on none of it.
-std::vector<Settings> all_settings() {
+std::vector<Settings> every_setting() {
   std::vector<Settings> all;
   for (const Vectors vectors : {Vectors::any, Vectors::avx2, Vectors::avx512}) {
     if (vectors > widest_vectors()) continue;
@@ -50,7 +50,7 @@ std::size_t pixels_apart(const Scene& scene, const RenderJob& job, double tolera
   const Camera& camera = scene.cameras.front();
   const Image expected = textbook::render(scene, camera, job);
   std::size_t apart = 0;
-  for (const Settings& settings : all_settings()) {
+  for (const Settings& settings : every_setting()) {
     const Image image = engine::render(scene, camera, job, nullptr, settings);
     apart = std::max(apart, references::pixels_over(expected, image, tolerance).size());
   }
@@ -73,7 +73,7 @@ TEST(NastyScenes, AreOnePictureToBothTracers) {
 }
 
 /// Materials that differ from each other, and from their own other faces, by far more than float rounds.
-constexpr const char* materials = R"(define material red 0.9 0 0 0.5 0 0 0 0 0 1 mirror 0.3 0.3 0.3
+constexpr const char* nasty_materials = R"(define material red 0.9 0 0 0.5 0 0 0 0 0 1 mirror 0.3 0.3 0.3
 define material green 0 0.9 0 0 0.5 0 0 0 0 1
 define material glass 0 0 0.4 0 0 0.3 0 0 0 1 transmit 0.6 0.6 0.6 eta 1.5
 define material thin 0.1 0 0.1 0 0 0.3 0 0 0 1 mirror 0.2 0.2 0.2 transmit 0.6 0.6 0.6 eta 0.5
@@ -85,17 +85,17 @@ define camera eye 90
 render eye ties.ppm 32 24
 )";
 
-struct Ties {
+struct TiedShapes {
   const char* name;
   const char* shapes;
 };
-void PrintTo(const Ties& ties, std::ostream* out) { *out << ties.name; }
+void PrintTo(const TiedShapes& ties, std::ostream* out) { *out << ties.name; }
 
-class TiedScene : public testing::TestWithParam<Ties> {};
+class TiedScene : public testing::TestWithParam<TiedShapes> {};
 
 // At 90 degrees and 32 pixels the rays go through odd 32nds: the edges below are on pixel centres.
 TEST_P(TiedScene, IsOnePictureToBothTracersInFloatAndDouble) {
-  const ReadResult read = read_scene(std::string(materials) + GetParam().shapes);
+  const ReadResult read = read_scene(std::string(nasty_materials) + GetParam().shapes);
   ASSERT_FALSE(read.has_errors());
   for (const int depth : {1, 2, 6}) {
     RenderJob job = job_of(read.scene, {});
@@ -110,46 +110,48 @@ TEST_P(TiedScene, IsOnePictureToBothTracersInFloatAndDouble) {
 INSTANTIATE_TEST_SUITE_P(
     Kinds, TiedScene,
     testing::Values(
-        Ties{"boxes with a common face",
-             "define shape box a -1 -1 -5 0 1 -4 red\ndefine shape box b 0 -1 -5 1 1 -4 green\n"},
-        Ties{"boxes with a common edge",
-             "define shape box a -2 -1 -4 0 1 -2 red\ndefine shape box b 0 -1 -6 2 1 -4 glass\n"},
-        Ties{"boxes with a common corner",
-             "define shape box a -2 -2 -4 0 0 -2 red\ndefine shape box b 0 0 -6 2 2 -4 thin\n"},
-        Ties{"edges on pixel centres",
-             "define shape box a -0.5625 -0.4375 -2 0.8125 0.6875 -1 red\n"
-             "define shape box b -1.6875 -1.3125 -3 0.9375 -0.4375 -3 green\n"},
-        Ties{"coplanar faces",
-             "define shape box a -1 -1 -4 1 0 -2 glass\ndefine shape box b -2 -2 -5 0.5 0 -3 red\n"
-             "define shape box c -3 -3 -6 3 0 -2.5 thin\n"},
-        Ties{"identical spheres",
-             "define shape sphere a 0 0 -3 1 glass\ndefine shape sphere b 0 0 -3 1 red\n"
-             "define shape sphere c 0 0 -3 0.5 thin\n"},
-        Ties{"a sphere that touches a box it is in",
-             "define shape box a -1 -1 -4 1 1 -2 glass\ndefine shape sphere b 0 0 -3 1 green\n"},
-        Ties{"a plate of no thickness on a box",
-             "define shape box a -1 -1 -4 1 0 -2 red\ndefine shape box b -2 0 -5 2 0 -1.5 glass\n"},
-        Ties{"one shape twice at one place",
-             "define shape box a -1 -1 -4 1 0 -2 thin\ndefine shape composite one a\n"
-             "define shape composite two a\n"},
-        Ties{"parents whose transforms come to the same",
-             "define shape box a -1 -1 -1 1 1 1 glass\ndefine shape composite one a\n"
-             "define shape composite two a\ntransform one translate 0 0 -4\ntransform two rotate 90 0 1 0\n"
-             "transform two translate 0 0 -4\n"},
-        Ties{"a box turned by right angles beside one that is not",
-             "define shape box a -1 -1 -5 0 1 -3 red\ndefine shape box b 0 -1 -1 2 1 1 glass\n"
-             "transform b rotate 90 0 0 1\ntransform b translate 1 0 -4\n"},
-        Ties{"boxes that are scaled and flattened onto each other",
-             "define shape box a -1 -1 -1 1 1 1 thin\ndefine shape box b -1 -1 -1 1 1 1 red\n"
-             "transform a scale 1 0.00001 1\ntransform a translate 0 -0.4375 -3\ntransform b scale 2 0.00001 "
-             "-1\n"
-             "transform b translate 0 -0.4375 -3\n"},
-        Ties{"the eye on an edge and in glass",
-             "define shape box a 0 -1 -9 2 0 2 glass\ndefine shape box b -3 -3 -9 3 0 -2 red\n"}));
+        TiedShapes{"boxes with a common face",
+                   "define shape box a -1 -1 -5 0 1 -4 red\ndefine shape box b 0 -1 -5 1 1 -4 green\n"},
+        TiedShapes{"boxes with a common edge",
+                   "define shape box a -2 -1 -4 0 1 -2 red\ndefine shape box b 0 -1 -6 2 1 -4 glass\n"},
+        TiedShapes{"boxes with a common corner",
+                   "define shape box a -2 -2 -4 0 0 -2 red\ndefine shape box b 0 0 -6 2 2 -4 thin\n"},
+        TiedShapes{"edges on pixel centres",
+                   "define shape box a -0.5625 -0.4375 -2 0.8125 0.6875 -1 red\n"
+                   "define shape box b -1.6875 -1.3125 -3 0.9375 -0.4375 -3 green\n"},
+        TiedShapes{"coplanar faces",
+                   "define shape box a -1 -1 -4 1 0 -2 glass\ndefine shape box b -2 -2 -5 0.5 0 -3 red\n"
+                   "define shape box c -3 -3 -6 3 0 -2.5 thin\n"},
+        TiedShapes{"identical spheres",
+                   "define shape sphere a 0 0 -3 1 glass\ndefine shape sphere b 0 0 -3 1 red\n"
+                   "define shape sphere c 0 0 -3 0.5 thin\n"},
+        TiedShapes{"a sphere that touches a box it is in",
+                   "define shape box a -1 -1 -4 1 1 -2 glass\ndefine shape sphere b 0 0 -3 1 green\n"},
+        TiedShapes{"a plate of no thickness on a box",
+                   "define shape box a -1 -1 -4 1 0 -2 red\ndefine shape box b -2 0 -5 2 0 -1.5 glass\n"},
+        TiedShapes{"one shape twice at one place",
+                   "define shape box a -1 -1 -4 1 0 -2 thin\ndefine shape composite one a\n"
+                   "define shape composite two a\n"},
+        TiedShapes{
+            "parents whose transforms come to the same",
+            "define shape box a -1 -1 -1 1 1 1 glass\ndefine shape composite one a\n"
+            "define shape composite two a\ntransform one translate 0 0 -4\ntransform two rotate 90 0 1 0\n"
+            "transform two translate 0 0 -4\n"},
+        TiedShapes{"a box turned by right angles beside one that is not",
+                   "define shape box a -1 -1 -5 0 1 -3 red\ndefine shape box b 0 -1 -1 2 1 1 glass\n"
+                   "transform b rotate 90 0 0 1\ntransform b translate 1 0 -4\n"},
+        TiedShapes{
+            "boxes that are scaled and flattened onto each other",
+            "define shape box a -1 -1 -1 1 1 1 thin\ndefine shape box b -1 -1 -1 1 1 1 red\n"
+            "transform a scale 1 0.00001 1\ntransform a translate 0 -0.4375 -3\ntransform b scale 2 0.00001 "
+            "-1\n"
+            "transform b translate 0 -0.4375 -3\n"},
+        TiedShapes{"the eye on an edge and in glass",
+                   "define shape box a 0 -1 -9 2 0 2 glass\ndefine shape box b -3 -3 -9 3 0 -2 red\n"}));
 
 /// The picture of the scene from an eye at that height.
 Image seen_from(const std::string& shapes, double height) {
-  const ReadResult read = read_scene(std::string(materials) + shapes);
+  const ReadResult read = read_scene(std::string(nasty_materials) + shapes);
   Scene scene = read.scene;
   scene.cameras.front().eye.y = height;
   RenderJob job = job_of(scene, {});
@@ -184,7 +186,7 @@ TEST(EyeOnGlass, IsOnePictureToBothTracersWhereTheGlassIsLarge) {
     const std::string shapes = std::string("define shape sphere a 0 0 0 1 glass\ntransform a scale ") +
                                scale + "\ndefine shape composite g a\ntransform g translate 0 -" + scale +
                                " 0\n" + "define shape sphere far 0 0 -3 0.5 red\n";
-    const ReadResult read = read_scene(materials + shapes);
+    const ReadResult read = read_scene(nasty_materials + shapes);
     ASSERT_FALSE(read.has_errors());
     EXPECT_EQ(pixels_apart(read.scene, job_of(read.scene, {})), 0U) << shapes;
   }
@@ -194,7 +196,7 @@ TEST(EyeOnGlass, IsOnePictureToBothTracersWhereTheGlassIsLarge) {
 TEST(EyeOnGlass, LeavesTheOrderOfOtherGlassAsItIs) {
   const std::string around = "define shape sphere b 2 0 0 4 glass\ndefine shape sphere c -2 0 0 4.5 thin\n";
   const auto picture = [&](const std::string& shapes) {
-    const Scene scene = read_scene(materials + shapes).scene;
+    const Scene scene = read_scene(nasty_materials + shapes).scene;
     return textbook::render(scene, scene.cameras.front(), job_of(scene, {}));
   };
   const Image without = picture(around),

@@ -17,6 +17,7 @@
 #include "references/renderers/cache.hpp"
 #include "references/renderers/povray.hpp"
 #include "tests/support/run.hpp"
+#include "tests/support/variable.hpp"
 #include "tracer/image/io.hpp"
 #include "tracer/system/files.hpp"
 
@@ -33,28 +34,6 @@ using references::PovrayJob;
 using references::PovrayRenderer;
 using references::Rendered;
 
-/// An environment variable for the length of a scope.
-class Variable {
- public:
-  Variable(const char* name, const std::string& value) : name_(name) {
-    if (const char* const old = std::getenv(name)) old_ = old;
-    setenv(name, value.c_str(), 1);
-  }
-  ~Variable() {
-    if (old_) {
-      setenv(name_, old_->c_str(), 1);
-    } else {
-      unsetenv(name_);
-    }
-  }
-  Variable(const Variable&) = delete;
-  Variable& operator=(const Variable&) = delete;
-
- private:
-  const char* name_;
-  std::optional<std::string> old_;
-};
-
 /// A shell script that stands on PATH in the place of POV-Ray.
 class FakePovray {
  public:
@@ -70,13 +49,14 @@ class FakePovray {
   Variable path_;
 };
 
-constexpr int width = 8;
-constexpr int height = 6;
+constexpr int picture_width = 8;
+constexpr int picture_height = 6;
 const std::string start = "#version 3.7;\nglobal_settings { assumed_gamma 1.0 }\n";
 
 /// All pixels have one colour.
 PovrayJob job_with_background(const std::string& rgb) {
-  return {start + "background { rgb <" + rgb + "> }\nsphere { <0,0,-99>, 1 }\n", width, height};
+  return {start + "background { rgb <" + rgb + "> }\nsphere { <0,0,-99>, 1 }\n", picture_width,
+          picture_height};
 }
 
 std::string message_of(const PovrayJob& job) {
@@ -116,7 +96,7 @@ std::vector<std::string> processes_in(const std::string& directory) {
 
 TEST(PovrayRunner, AParseErrorIsToldWithItsLineOfSdl) {
   const std::string message =
-      message_of({start + "sphere { <0,0,0>, 1 }\nsphere { oddly_named }\n", width, height});
+      message_of({start + "sphere { <0,0,0>, 1 }\nsphere { oddly_named }\n", picture_width, picture_height});
   EXPECT_TRUE(has(message, "Parse Error")) << message;
   EXPECT_TRUE(has(message, "line 4")) << message;
   EXPECT_TRUE(has(message, "| sphere { oddly_named }")) << message;
@@ -136,7 +116,7 @@ TEST(PovrayRunner, WarningsAreTold) {
   std::vector<std::future<Rendered>> running;
   for (const Case& c : cases) {
     running.push_back(std::async(std::launch::async, [&povray, &c] {
-      return povray.render({c.sdl, width, height});
+      return povray.render({c.sdl, picture_width, picture_height});
     }));
   }
   for (std::size_t i = 0; i < cases.size(); ++i) {
@@ -154,8 +134,8 @@ TEST(PovrayRunner, ASceneThatIsFineGivesNoWarningsAndItsCpuTime) {
   EXPECT_EQ(picture.holds, Holds::float32);
   EXPECT_GT(picture.cpu_seconds, 0);
   EXPECT_LT(picture.cpu_seconds, 10);
-  for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x) {
+  for (int y = 0; y < picture_height; ++y) {
+    for (int x = 0; x < picture_width; ++x) {
       EXPECT_EQ(std::vector<float>(picture.image.pixel(x, y), picture.image.pixel(x, y) + 3),
                 (std::vector<float>{0.5F, 1.5F, 0.25F}));
     }
@@ -179,7 +159,7 @@ TEST(PovrayRunner, SeveralRunsAtOnceDoNotDisturbEachOther) {
 TEST(PovrayRunner, ARunBeyondItsTimeIsEndedAndLeavesNothing) {
   const Workplace workplace;
   const Variable temporary("TMPDIR", workplace.directory());
-  PovrayJob job{start + "#while (1)\n#end\n", width, height};
+  PovrayJob job{start + "#while (1)\n#end\n", picture_width, picture_height};
   job.time_limit_seconds = 1.2;
   const auto before = std::chrono::steady_clock::now();
   const std::string message = message_of(job);
@@ -247,7 +227,7 @@ TEST(PovrayRunner, WhateverAFakePovrayLeavesIsAClearError) {
 }
 
 TEST(PovrayRunner, WithoutAUsableStateFileItsPngIsTakenAndThatIsSaid) {
-  Image image(width, height);
+  Image image(picture_width, picture_height);
   for (std::size_t i = 0; i < image.rgb.size(); ++i) image.rgb[i] = static_cast<float>(i) / 200;
   for (const char* state : {"", "printf 'POV-Ray Render State File' > out.pov-state\n",
                             "head -c 5000 /dev/zero > out.pov-state\n", "rm -f out.pov-state t.state\n"}) {
@@ -266,7 +246,7 @@ TEST(PovrayRunner, WithoutAUsableStateFileItsPngIsTakenAndThatIsSaid) {
 
 TEST(PovrayRunner, APngOfAnotherSizeIsNotTaken) {
   const FakePovray fake("cp \"${0%/*}/good.png\" out.png\n");
-  write_image(fake.workplace().path("good.png"), Image(width, height + 1), Encoding::linear);
+  write_image(fake.workplace().path("good.png"), Image(picture_width, picture_height + 1), Encoding::linear);
   EXPECT_TRUE(has(message_of(job_with_background("0,0,0")), "size"));
 }
 
@@ -319,7 +299,7 @@ TEST(PovrayRunner, AProgramThatIsNoPovrayIsFoundOutByItsVersion) {
 
 Rendered some_picture() {
   Rendered picture;
-  picture.image = Image(width, height);
+  picture.image = Image(picture_width, picture_height);
   for (std::size_t i = 0; i < picture.image.rgb.size(); ++i)
     picture.image.rgb[i] = 0.1F * static_cast<float>(i);
   picture.image.rgb[3] = std::numeric_limits<float>::infinity();
@@ -377,7 +357,7 @@ TEST_F(CacheOfPictures, AFlippedBitAnywhereIsNoticed) {
   cache_.store(shot_, version_, some_picture());
   const std::string path = cache_.entry_path(shot_, version_);
   const std::string good = read_file(path);
-  ASSERT_GT(good.size(), width * height * 3 * sizeof(float));
+  ASSERT_GT(good.size(), picture_width * picture_height * 3 * sizeof(float));
   for (std::size_t at = 0; at < good.size(); ++at) {
     std::string bytes = good;
     bytes[at] = static_cast<char>(bytes[at] ^ (1 << (at % 8)));
@@ -414,8 +394,8 @@ TEST_F(CacheOfPictures, AllThatDeterminesThePictureIsInTheKey) {
   other.text += " ";
   EXPECT_FALSE(cache_.find(other, version_).has_value()) << "text";
   other = shot_;
-  other.width = height;
-  other.height = width;
+  other.width = picture_height;
+  other.height = picture_width;
   EXPECT_FALSE(cache_.find(other, version_).has_value()) << "size";
   other = shot_;
   other.arguments.emplace_back("-MB");
@@ -435,8 +415,8 @@ TEST_F(CacheOfPictures, AllThatDeterminesThePictureIsInTheKey) {
 
 TEST_F(CacheOfPictures, AnEntryForAnotherSizeInItsPlaceIsNotTaken) {
   PovrayJob upright = job_with_background("0.25,0.5,1");
-  upright.width = height;
-  upright.height = width;
+  upright.width = picture_height;
+  upright.height = picture_width;
   const ExportedShot other = references::exported_by(upright);
   Rendered picture = some_picture();
   std::swap(picture.image.width, picture.image.height);

@@ -21,7 +21,7 @@ namespace {
 using references::SceneResult;
 using references::Status;
 
-const std::string materials = R"(
+const std::string two_materials = R"(
 define material red 0.2 0.05 0.05 0.6 0.2 0.1 0.3 0.3 0.3 20
 define material blue 0.05 0.1 0.3 0.1 0.3 0.6 0.2 0.2 0.2 10 mirror 0.3 0.3 0.3
 define material glass 0.1 0.1 0.1 0.1 0.1 0.1 0.2 0.2 0.2 10 transmit 0.8 0.8 0.8 eta 1.5
@@ -72,7 +72,7 @@ std::string with_materials(std::string shapes, const std::string& a, const std::
     for (std::size_t at = 0; (at = shapes.find(letter, at)) != std::string::npos;)
       shapes.replace(at, 3, " " + name + "\n");
   }
-  return materials + shapes;
+  return two_materials + shapes;
 }
 
 class Ties : public testing::Test {

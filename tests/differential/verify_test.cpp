@@ -14,6 +14,7 @@
 #include "references/report/sentences.hpp"
 #include "tests/support/end_to_end.hpp"
 #include "tests/support/run.hpp"
+#include "tests/support/variable.hpp"
 #include "tracer/format/reader.hpp"
 
 namespace plumb::tests {
@@ -23,28 +24,6 @@ using references::SceneResult;
 using references::Status;
 using references::VerifyOptions;
 using references::VerifyReport;
-
-/// An environment variable for the length of a scope.
-class Variable {
- public:
-  Variable(const char* name, const std::string& value) : name_(name) {
-    if (const char* const old = std::getenv(name)) old_ = old;
-    setenv(name, value.c_str(), 1);
-  }
-  ~Variable() {
-    if (old_) {
-      setenv(name_, old_->c_str(), 1);
-    } else {
-      unsetenv(name_);
-    }
-  }
-  Variable(const Variable&) = delete;
-  Variable& operator=(const Variable&) = delete;
-
- private:
-  const char* name_;
-  std::optional<std::string> old_;
-};
 
 const std::string materials = R"(
 define material red 0.2 0.05 0.05 0.6 0.2 0.1 0.3 0.3 0.3 20

@@ -70,9 +70,9 @@ class ChartCommand : public testing::Test {
   json chart_in(const std::string& name) { return json::parse(read_file(workplace_.path(name))); }
 
   /// Of the message.
-  std::string complaint_of(const std::vector<std::string>& python) {
+  std::string complaint_of(const std::vector<std::string>& interpreter) {
     try {
-      references::check_plotting(python);
+      references::check_plotting(interpreter);
     } catch (const std::runtime_error& error) {
       return error.what();
     }

@@ -12,8 +12,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-constexpr float infinity = std::numeric_limits<float>::infinity();
+constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
+constexpr float unbounded = std::numeric_limits<float>::infinity();
 
 /// 10 x 8 pixels of a slope of greys.
 Image slope() {
@@ -114,7 +114,7 @@ TEST_F(CompareBounds, AMaskImageIsARegion) {
 }
 
 TEST_F(CompareBounds, WhatIsNotFiniteNeverAgreesUnlessIgnored) {
-  for (const float bad : {nan, infinity, -infinity}) {
+  for (const float bad : {not_a_number, unbounded, -unbounded}) {
     Image image = slope();
     image.pixel(3, 2)[2] = bad;
     for (const char* const name : {"b.pfm", "b.exr"}) {
@@ -194,7 +194,7 @@ TEST_F(CompareBounds, FloatFilesHoldTheDifferenceAsItIs) {
   Image image = slope();
   image.pixel(4, 3)[0] -= 0.0625F;
   image.pixel(5, 3)[2] += 2;
-  image.pixel(6, 3)[1] = nan;
+  image.pixel(6, 3)[1] = not_a_number;
   write("b.pfm", image);
   for (const char* const name : {"d.pfm", "d.exr"}) {
     const Outcome outcome = compare("b.pfm", {"--diff", name, "--ignore", "5,3,1,1"});
@@ -217,7 +217,7 @@ TEST_F(CompareBounds, FloatFilesHoldTheDifferenceAsItIs) {
 TEST_F(CompareBounds, OtherFilesAreScaledToWhite) {
   Image image = slope();
   for (int c = 0; c < 3; ++c) image.pixel(4, 3)[c] += 0.125F;
-  image.pixel(6, 3)[1] = nan;
+  image.pixel(6, 3)[1] = not_a_number;
   write("b.pfm", image);
   const Outcome outcome = compare("b.pfm", {"--diff", "d.png"});
   EXPECT_TRUE(contains(outcome.out, "so that the largest is white; what is not finite is magenta"))

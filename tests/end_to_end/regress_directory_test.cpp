@@ -172,10 +172,10 @@ TEST_F(Gate, NoRecordLeadsOutOfTheDirectory) {
   const std::string path = "scenes/baselines/baselines.json";
   const std::string records = read_file(workplace_.path(path));
   for (const char* const name : {"../ball", "sub/../../ball", "/tmp/ball", "./ball", ""}) {
-    Json json = Json::parse(records);
-    json.at(0)["scene"] = std::string(name) + ".sdf";
-    json.at(0)["image"] = std::string(name) + ".exr";
-    workplace_.file(path, json.dump());
+    Json broken = Json::parse(records);
+    broken.at(0)["scene"] = std::string(name) + ".sdf";
+    broken.at(0)["image"] = std::string(name) + ".exr";
+    workplace_.file(path, broken.dump());
     expect_trouble(regress(), {"is damaged"});
   }
 }

@@ -31,7 +31,7 @@ RenderJob job_of(int width, int height) {
 
 std::string text_of(const std::string& file) { return read_file(tests::source_path("tests/scenes/" + file)); }
 
-Subject scene_of(const std::string& text) { return {read_scene(text).scene, job_of(120, 90)}; }
+Subject named_scene(const std::string& text) { return {read_scene(text).scene, job_of(120, 90)}; }
 
 Subject random_subject(unsigned seed) {
   const auto random = tests::random_scene(seed);
@@ -119,7 +119,7 @@ TEST(RightPicture, OfRealTracersIsRightInEveryFormat) {
   };
   for (const char* file : {"combined-still-life.sdf", "nested-glass.sdf", "phong.sdf"}) {
     SCOPED_TRACE(file);
-    expect_right(scene_of(text_of(file)));
+    expect_right(named_scene(text_of(file)));
   }
   for (const unsigned seed : {1U, 2U, 3U}) {
     SCOPED_TRACE(seed);
@@ -135,7 +135,7 @@ void expect_not_right(const std::string& file, const std::string& from, const st
   ASSERT_NE(at, std::string::npos) << from;
   std::string other = text;
   other.replace(at, from.size(), to);
-  const Diagnosis found = diagnosed(scene_of(text), written(rendered(scene_of(other)), format));
+  const Diagnosis found = diagnosed(named_scene(text), written(rendered(named_scene(other)), format));
   EXPECT_NE(found.verdict, PictureVerdict::right) << to << ", " << format.name;
   EXPECT_NE(found.verdict, PictureVerdict::faults) << to << ", " << format.name;
   EXPECT_GT(found.unexplained_pixels, 0U);
@@ -163,7 +163,8 @@ TEST(RightPicture, OfASmoothDifferenceHasNoEdges) {
     ASSERT_NE(at, std::string::npos) << from;
     std::string other = text;
     other.replace(at, std::string(from).size(), to);
-    const Diagnosis found = diagnosed(scene_of(text), written(rendered(scene_of(other)), formats()[format]));
+    const Diagnosis found =
+        diagnosed(named_scene(text), written(rendered(named_scene(other)), formats()[format]));
     EXPECT_NE(found.verdict, PictureVerdict::right) << to;
     EXPECT_EQ(found.edges, 0U) << to;
   }
@@ -175,8 +176,8 @@ TEST(RightPicture, HasItsThinShapes) {
       "define material w 1 0.2 0.2 0 0 0 0 0 0 1\ndefine material b 0.2 0.5 0.9 0 0 0 0 0 0 1\n"
       "define shape sphere ball 0.1 0 -60 0.05 b\ndefine light l 0 50 0 1 1 1 1\nambient 1 1 1\n"
       "background 0.1 0.1 0.1\ndefine camera c 0.2\nrender c p.ppm 160 120\n";
-  Subject subject = scene_of(rest + "define shape box post -0.002 -2 -60 0.002 2 -59.999 w\n");
-  Subject without = scene_of(rest);
+  Subject subject = named_scene(rest + "define shape box post -0.002 -2 -60 0.002 2 -59.999 w\n");
+  Subject without = named_scene(rest);
   subject.job = without.job = job_of(160, 120);
   for (const std::size_t format : {0U, 6U}) {
     const Diagnosis found = diagnosed(subject, written(rendered(without), formats()[format]));
@@ -188,7 +189,7 @@ TEST(RightPicture, HasItsThinShapes) {
 /// A number is as exact as it is large, whatever stands beside it.
 TEST(RightPicture, HasItsLargeBoxesAtTheirPlaces) {
   const auto scene = [](const std::string& top) {
-    return scene_of(
+    return named_scene(
         "define material w 1 0.2 0.2 0.5 0.7 0.2 0.3 0.3 0.3 20\n"
         "define shape box floor -100000 -3 -100000 100000 " +
         top +
@@ -210,15 +211,16 @@ TEST(RightPicture, HasTheFirstOfSurfacesAtOnePlace) {
   const std::string a = "define shape box a -1 -1 -5 0.5 1 -4 r\n",
                     b = "define shape box b -0.5 -1 -6 1 1 -4 g\n";
   const std::string tail = "ambient 1 1 1\ndefine camera c 60\nrender c p.ppm 120 90\n";
-  const Subject subject = scene_of(head + a + b + tail);
-  const Diagnosis found = diagnosed(subject, written(rendered(scene_of(head + b + a + tail)), formats()[0]));
+  const Subject subject = named_scene(head + a + b + tail);
+  const Diagnosis found =
+      diagnosed(subject, written(rendered(named_scene(head + b + a + tail)), formats()[0]));
   EXPECT_NE(found.verdict, PictureVerdict::right);
   EXPECT_LT(found.edges, 100U);
 }
 
 /// A pixel that float32 takes for another surface says nothing of its neighbours.
 TEST(RightPicture, IsAsNearBesideAJump) {
-  Subject subject = scene_of(text_of("shadow.sdf"));
+  Subject subject = named_scene(text_of("shadow.sdf"));
   subject.job = job_of(160, 120);
   const Image in_double = rendered(subject);
   const Image in_float = rendered(subject, OwnTracer::engine, RealType::float32);
@@ -233,7 +235,7 @@ TEST(RightPicture, IsAsNearBesideAJump) {
 
 /// A curve is steepest at 0, and what is exactly 0 is no more than that.
 TEST(RightPicture, IsBlackUnderACurve) {
-  const Subject subject = scene_of(text_of("composite.sdf"));
+  const Subject subject = named_scene(text_of("composite.sdf"));
   const Image image = rendered(subject);
   for (const Format& format : formats()) {
     if (format.sample == Sample::half) continue;
@@ -255,7 +257,7 @@ ImageFile with_noise(ImageFile file, float step) {
 }
 
 TEST(RightPicture, OfSixteenBitsIsRightToTheStep) {
-  const Subject subject = scene_of(text_of("combined-still-life.sdf"));
+  const Subject subject = named_scene(text_of("combined-still-life.sdf"));
   const Format truncated_16{"16 bits", Sample::bits16, [](float c) { return truncated(c, 65535); }};
   const ImageFile right = written(rendered(subject), truncated_16);
   EXPECT_EQ(diagnosed(subject, right).verdict, PictureVerdict::right);
@@ -269,7 +271,7 @@ TEST(RightPicture, OfSixteenBitsIsRightToTheStep) {
 
 /// Eight bits for each channel, and an exponent for all.
 TEST(RightPicture, OfASharedExponentIsRightToTheStep) {
-  const Subject subject = scene_of(text_of("combined-still-life.sdf"));
+  const Subject subject = named_scene(text_of("combined-still-life.sdf"));
   ImageFile right = written(rendered(subject), formats()[6]);
   ImageFile wrong = right;
   for (std::size_t i = 0; i < right.values.size(); i += 3) {
@@ -290,9 +292,9 @@ TEST(RightPicture, OfASharedExponentIsRightToTheStep) {
 TEST(RightPicture, ApartFromAShapeNamesIt) {
   const std::string tiny = "define shape sphere tiny 0 0 -4 0.06 m2\n";
   std::string text = text_of("phong.sdf");
-  const Subject without = scene_of(text);
+  const Subject without = named_scene(text);
   text.insert(text.find("define light"), tiny);
-  const Diagnosis found = diagnosed(scene_of(text), written(rendered(without), formats()[0]));
+  const Diagnosis found = diagnosed(named_scene(text), written(rendered(without), formats()[0]));
   EXPECT_EQ(found.verdict, PictureVerdict::right_apart);
   ASSERT_EQ(found.shapes.size(), 1U);
   EXPECT_EQ(found.shapes.front().name, "tiny");
@@ -301,7 +303,7 @@ TEST(RightPicture, ApartFromAShapeNamesIt) {
 }
 
 TEST(RightPicture, ApartFromSomePixelsIsNotRight) {
-  const Subject subject = scene_of(text_of("combined-still-life.sdf"));
+  const Subject subject = named_scene(text_of("combined-still-life.sdf"));
   ImageFile file = written(rendered(subject), formats()[0]);
   std::mt19937 random(1);
   for (int i = 0; i < 100; ++i) file.values[random() % file.values.size()] += 3.0F / 255;
@@ -312,7 +314,7 @@ TEST(RightPicture, ApartFromSomePixelsIsNotRight) {
 }
 
 TEST(RightPicture, OfFloatsIsAsNearAsTheToleranceSays) {
-  const Subject subject = scene_of(text_of("phong.sdf"));
+  const Subject subject = named_scene(text_of("phong.sdf"));
   ImageFile file = written(rendered(subject), formats()[6]);
   for (float& value : file.values) value += 1e-3F;
   EXPECT_NE(diagnosed(subject, file).verdict, PictureVerdict::right);
@@ -320,7 +322,7 @@ TEST(RightPicture, OfFloatsIsAsNearAsTheToleranceSays) {
 }
 
 TEST(RightPicture, MayHaveFewerLevels) {
-  const Subject subject = scene_of(text_of("phong.sdf"));
+  const Subject subject = named_scene(text_of("phong.sdf"));
   const Image image = rendered(subject);
   const auto as_8_bits = [](float c, int steps) { return std::round(255 * rounded(c, steps)) / 255; };
   for (const int steps : {31, 63, 100}) {  // tone-mapped, 16 levels leave 8, which are too few to tell
@@ -336,7 +338,7 @@ TEST(RightPicture, MayHaveFewerLevels) {
 }
 
 TEST(RightPicture, MayBeReducedFromEightBits) {
-  const Subject subject = scene_of(text_of("phong.sdf"));
+  const Subject subject = named_scene(text_of("phong.sdf"));
   const Image image = rendered(subject);
   const std::array<std::function<int(float)>, 3> to_8_bits{
       [](float c) { return static_cast<int>(255 * tone(c)); },
@@ -360,7 +362,7 @@ TEST(RightPicture, MayBeReducedFromEightBits) {
 }
 
 TEST(RightPicture, HasNoFewerLevelsThanScreensHave) {
-  const Subject subject = scene_of(text_of("phong.sdf"));
+  const Subject subject = named_scene(text_of("phong.sdf"));
   for (const int steps : {7, 30}) {
     const Format coarse{"", Sample::bits8,
                         [&](float c) { return std::round(255 * truncated(c, steps)) / 255; }};
@@ -370,7 +372,7 @@ TEST(RightPicture, HasNoFewerLevelsThanScreensHave) {
 }
 
 TEST(RightPicture, MayHaveOtherLevelsInEachChannel) {
-  const Subject subject = scene_of(text_of("phong.sdf"));
+  const Subject subject = named_scene(text_of("phong.sdf"));
   ImageFile file = written(rendered(subject), formats()[1]);
   for (std::size_t i = 0; i < file.values.size(); ++i) {
     const int dropped = i % 3 == 1 ? 2 : 3;  // bits, of 5, 6 and 5
@@ -392,7 +394,7 @@ TEST(RightPicture, OfFewerLevelsMayStillBeWrong) {
     const Format scaled{"", Sample::bits8, [&](float c) {
                           return std::floor(std::floor(factor * 255 * tone(c)) / 8) * 8 / 255;
                         }};
-    const Subject subject = scene_of(text_of("phong.sdf"));
+    const Subject subject = named_scene(text_of("phong.sdf"));
     const Diagnosis found = diagnosed(subject, written(rendered(subject), scaled));
     EXPECT_NE(found.verdict, PictureVerdict::right) << factor << ": " << found.encoding.in_words();
   }

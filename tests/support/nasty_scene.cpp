@@ -8,9 +8,9 @@
 namespace plumb::tests {
 namespace {
 
-class Generator {
+class NastyGenerator {
  public:
-  explicit Generator(unsigned seed) : random_(seed) {}
+  explicit NastyGenerator(unsigned seed) : random_(seed) {}
 
   RandomScene make() {
     unit_ = chance(0.5) ? 1 : std::pow(10.0, whole(-8, 8));
@@ -212,6 +212,6 @@ class Generator {
 
 }  // namespace
 
-RandomScene nasty_scene(unsigned seed) { return Generator(seed).make(); }
+RandomScene nasty_scene(unsigned seed) { return NastyGenerator(seed).make(); }
 
 }  // namespace plumb::tests

@@ -28,7 +28,7 @@ struct Part {
   void (*apply)(Dialect&);
 };
 
-constexpr std::array<Part, 9> parts{{
+constexpr std::array<Part, 9> parts_of_dialect{{
     {"strict", "the course grammar (the default)", [](Dialect&) {}},
     {"loose",
      "spellings that cannot be misread: // comments, 'define ambient|background|transform|render', "
@@ -86,9 +86,9 @@ std::optional<std::vector<MaterialField>> parse_material_layout(std::string_view
 Dialect parse_dialect(std::string_view names) {
   Dialect dialect;
   for (const std::string_view name : split(names, ',')) {
-    const auto* part =
-        std::find_if(parts.begin(), parts.end(), [&](const Part& p) { return p.name == name; });
-    if (part != parts.end()) {
+    const auto* part = std::find_if(parts_of_dialect.begin(), parts_of_dialect.end(),
+                                    [&](const Part& p) { return p.name == name; });
+    if (part != parts_of_dialect.end()) {
       part->apply(dialect);
     } else if (const auto layout = parse_material_layout(name)) {
       dialect.material = *layout;
@@ -102,7 +102,7 @@ Dialect parse_dialect(std::string_view names) {
 
 std::string describe_dialects() {
   std::string text;
-  for (const Part& part : parts) {
+  for (const Part& part : parts_of_dialect) {
     std::string line = "  " + std::string(part.name);
     line.resize(std::max<std::size_t>(line.size(), 20), ' ');
     text += line + " " + std::string(part.meaning) + "\n";

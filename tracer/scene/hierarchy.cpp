@@ -10,9 +10,9 @@ namespace plumb {
 namespace {
 
 /// Depth first without recursion: what is read may be nested as deep as the file is long.
-class Search {
+class OrderSearch {
  public:
-  explicit Search(const Scene& scene) : scene_(scene), state_(scene.shapes.size(), State::unseen) {}
+  explicit OrderSearch(const Scene& scene) : scene_(scene), state_(scene.shapes.size(), State::unseen) {}
 
   CompositeOrder run() {
     for (ShapeId id = 0; id < scene_.shapes.size() && found_.cycle.empty(); ++id) {
@@ -84,7 +84,7 @@ void refuse_to_visit_too_many(const Scene& scene) {
 
 }  // namespace
 
-CompositeOrder order_of_composites(const Scene& scene) { return Search(scene).run(); }
+CompositeOrder order_of_composites(const Scene& scene) { return OrderSearch(scene).run(); }
 
 std::uint64_t saturating_add(std::uint64_t a, std::uint64_t b) {
   constexpr auto most = std::numeric_limits<std::uint64_t>::max();

@@ -13,23 +13,25 @@ namespace {
 constexpr double rounding = 1e-14;  // of the largest number that a place is computed from
 constexpr std::uint64_t most_looks = 1'000'000;
 
-double largest(const Vec3d& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+double largest_coordinate(const Vec3d& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
 bool is_on(const Sphere& sphere, const Vec3d& p) {
-  const double near = rounding * std::max({largest(p), largest(sphere.center), sphere.radius});
+  const double near =
+      rounding * std::max({largest_coordinate(p), largest_coordinate(sphere.center), sphere.radius});
   return std::abs(glm::length(p - sphere.center) - sphere.radius) <= near;
 }
 
 bool is_on(const Box& box, const Vec3d& p) {
-  const double near = rounding * std::max({largest(p), largest(box.min), largest(box.max)});
+  const double near =
+      rounding * std::max({largest_coordinate(p), largest_coordinate(box.min), largest_coordinate(box.max)});
   const Vec3d below = p - box.min, above = box.max - p;  // not negative inside
   const double nearest = std::min({below.x, below.y, below.z, above.x, above.y, above.z});
   return std::abs(nearest) <= near;
 }
 
-class Search {
+class LightSearch {
  public:
-  explicit Search(const Scene& scene)
+  explicit LightSearch(const Scene& scene)
       : scene_(scene), roots_(scene.roots()), counts_(count_instances(scene)) {}
 
   bool is_too_long() const {
@@ -67,7 +69,7 @@ class Search {
 
 std::vector<LightOnSurface> lights_on_surfaces(const Scene& scene) {
   std::vector<LightOnSurface> found;
-  const Search search(scene);
+  const LightSearch search(scene);
   if (search.is_too_long()) return found;
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
     if (scene.lights[i].intensity() == Rgbd(0)) continue;

@@ -36,7 +36,7 @@ const char* asked_for() {
   return own == nullptr || *own == '\0' ? nullptr : own;
 }
 
-fs::path prefix() { return fs::path(program_directory()).parent_path(); }
+fs::path installation_prefix() { return fs::path(program_directory()).parent_path(); }
 
 bool holds_data(const fs::path& path) {
   std::error_code none;
@@ -68,7 +68,7 @@ std::string data_directory(Data data) {
     throw std::runtime_error("PLUMB_DATA: found " + std::string(own) + ", which has no directory " +
                              layout.installed + ", expected share/plumb of an installation");
   }
-  const fs::path installed = prefix() / "share/plumb" / layout.installed;
+  const fs::path installed = installation_prefix() / "share/plumb" / layout.installed;
   if (holds_data(installed)) return installed.string();
   const fs::path source = fs::path(source_directory()) / layout.in_source;
   if (holds_data(source)) return source.string();
@@ -78,15 +78,15 @@ std::string data_directory(Data data) {
 }
 
 std::vector<std::string> own_places() {
-  std::vector<std::string> places{source_directory(), (prefix() / "share/plumb").string(),
-                                  (prefix() / "lib/plumb").string()};
+  std::vector<std::string> places{source_directory(), (installation_prefix() / "share/plumb").string(),
+                                  (installation_prefix() / "lib/plumb").string()};
   if (const char* const own = asked_for()) places.emplace_back(own);
   return places;
 }
 
 std::string module_path(const std::string& name) {
   std::error_code none;
-  for (const fs::path& directory : {fs::path(program_directory()), prefix() / "lib/plumb"})
+  for (const fs::path& directory : {fs::path(program_directory()), installation_prefix() / "lib/plumb"})
     if (fs::exists(directory / name, none)) return (directory / name).string();
   return (along_run_path() / name).string();
 }

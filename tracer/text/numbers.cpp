@@ -5,10 +5,10 @@
 #include <charconv>
 #include <cmath>
 
+#include "tracer/text/words.hpp"
+
 namespace plumb {
 namespace {
-
-bool is_ascii(char c) { return static_cast<unsigned char>(c) < 0x80; }
 
 std::string explain_no_number(std::string_view text) {
   if (text.find("{{") != std::string_view::npos) return "a template's placeholder; fill it in first";

@@ -6,8 +6,6 @@
 namespace plumb {
 namespace {
 
-bool is_ascii(char c) { return static_cast<unsigned char>(c) < 0x80; }
-
 /// Insertions, deletions, substitutions and swaps of neighbours (Damerau, "A technique for computer detection
 /// and correction of spelling errors", CACM 7 (1964)).
 std::size_t edit_distance(std::string_view a, std::string_view b) {

@@ -8,6 +8,8 @@
 
 namespace plumb {
 
+inline bool is_ascii(char c) { return static_cast<unsigned char>(c) < 0x80; }
+
 /// The text for a message: quoted, at most 40 bytes, unprintable bytes as \xNN.
 std::string in_quotes(std::string_view text);
 

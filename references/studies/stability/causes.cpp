@@ -19,7 +19,7 @@ constexpr std::string_view scaled = "export the scene scaled";
 constexpr std::string_view judge = "no scale fits both sizes: judge the pixels by 113 bits";
 constexpr std::string_view own_space = "tolerances hold in the object's own space, which is stretched";
 constexpr std::string_view longer = "1e-4 is as long as the chord: the far side is passed by";
-constexpr std::string_view farther =
+constexpr std::string_view why_farther =
     "the point lies more than 1e-4 beside the surface, as large coordinates do";
 constexpr std::string_view resolved = "the chord is shorter than the resolution of t at such coordinates";
 
@@ -30,8 +30,8 @@ const std::vector<Explanation>& explanations() {
       {"distance", "povray-rescaled", "one scale holds eye and ball: the ball falls below the tolerances",
        judge},
       {"distance", "povray", "boxes around objects are float32, and spheres vanish past 1e7 units", scaled},
-      {"distance", "start-epsilon", farther, by_id},
-      {"distance", "start-normal", farther, by_id},
+      {"distance", "start-epsilon", why_farther, by_id},
+      {"distance", "start-normal", why_farther, by_id},
       {"distance", "lecture", "the direction is rounded by more than the ball is wide", "a wider real type"},
       {"distance", "sphere-haines", "the direction is rounded by more than the ball is wide",
        "a wider real type"},
@@ -49,8 +49,8 @@ const std::vector<Explanation>& explanations() {
        wider},
       {"small-radius", "embree", "centre and direction are rounded by more than the ball is wide", wider},
       {"scale-up", "povray", "spheres vanish past 1e7 units", scaled},
-      {"scale-up", "start-epsilon", farther, by_id},
-      {"scale-up", "start-normal", farther, by_id},
+      {"scale-up", "start-epsilon", why_farther, by_id},
+      {"scale-up", "start-normal", why_farther, by_id},
       {"scale-down", "povray", "depth 1e-6, nearest hit 1e-4 and shadow 1e-3 are as large as the scene",
        scaled},
       {"scale-down", "start-epsilon", longer, by_id},
@@ -59,8 +59,8 @@ const std::vector<Explanation>& explanations() {
        by_id},
       {"offset", "povray", "boxes around objects are float32: far off the origin they lose parts", scaled},
       {"offset", "start-id", resolved, wider},
-      {"offset", "start-epsilon", farther, by_id},
-      {"offset", "start-normal", farther, by_id},
+      {"offset", "start-epsilon", why_farther, by_id},
+      {"offset", "start-normal", why_farther, by_id},
       {"offset", "start-waechter", "256 ulp of the coordinates are as long as the chord", wider},
       {"offset", "start-error", "the point's error bound is as long as the chord", wider},
       {"offset", "", "coordinates are spaced as wide as the ball", "coordinates near the object"},

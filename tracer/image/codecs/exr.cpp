@@ -113,7 +113,7 @@ void undo_prediction(std::vector<std::uint8_t>& bytes, std::byte* out) {
   }
 }
 
-struct Free {
+struct FreeDecompressor {
   void operator()(libdeflate_decompressor* d) const { libdeflate_free_decompressor(d); }
 };
 
@@ -124,7 +124,7 @@ struct Free {
 void inflate(const Exr& exr, const Source& source, PixelRows& rows) {
   const auto line = static_cast<std::size_t>(rows.stride);
   const std::shared_ptr<std::byte[]> pixels(new std::byte[line * static_cast<std::size_t>(rows.height)]);
-  const std::unique_ptr<libdeflate_decompressor, Free> inflater(libdeflate_alloc_decompressor());
+  const std::unique_ptr<libdeflate_decompressor, FreeDecompressor> inflater(libdeflate_alloc_decompressor());
   std::vector<std::byte> packed;
   std::vector<std::uint8_t> bytes;
   for (int y = 0; y < rows.height; y += exr.lines()) {

@@ -35,9 +35,9 @@ double value_at(const std::byte* from, exr_pixel_type_t type) {
   return type == EXR_PIXEL_UINT ? static_cast<double>(bits) : static_cast<double>(std::bit_cast<float>(bits));
 }
 
-class Decoder {
+class ExrDecoder {
  public:
-  Decoder(const Source& source, exr_const_context_t context, ExrLayout layout, std::byte* pixels)
+  ExrDecoder(const Source& source, exr_const_context_t context, ExrLayout layout, std::byte* pixels)
       : source_(source), context_(context), layout_(std::move(layout)), pixels_(pixels) {}
 
   void decode() {
@@ -184,7 +184,7 @@ void decode_exr(const Source& source, Canvas& canvas) {
   if (file.get() == nullptr) refuse_damaged(source.path, "found no valid EXR header");
   ExrLayout layout = exr_layout(source, file.get());
   std::byte* const pixels = canvas.rows_for(layout.shape);
-  Decoder(source, file.get(), std::move(layout), pixels).decode();
+  ExrDecoder(source, file.get(), std::move(layout), pixels).decode();
 }
 
 }  // namespace plumb::codecs

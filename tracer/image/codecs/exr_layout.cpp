@@ -13,9 +13,9 @@ struct Bounds {
   std::int64_t left, top, right, bottom;  ///< inclusive
 };
 
-class Reader {
+class ExrLayoutReader {
  public:
-  Reader(const Source& source, exr_const_context_t context) : source_(source), context_(context) {}
+  ExrLayoutReader(const Source& source, exr_const_context_t context) : source_(source), context_(context) {}
 
   ExrLayout layout() {
     expect(exr_get_count(context_, &parts_), "number of parts");
@@ -143,7 +143,7 @@ class Reader {
 }  // namespace
 
 ExrLayout exr_layout(const Source& source, exr_const_context_t context) {
-  return Reader(source, context).layout();
+  return ExrLayoutReader(source, context).layout();
 }
 
 }  // namespace plumb::codecs

@@ -70,13 +70,13 @@ Buffer filtered(std::span<const Byte> rgb, std::size_t row) {
   return rows;
 }
 
-struct Free {
+struct FreeCompressor {
   void operator()(libdeflate_compressor* c) const { libdeflate_free_compressor(c); }
 };
 
 /// At the quickest level.
 Buffer deflated(const Buffer& data) {
-  const std::unique_ptr<libdeflate_compressor, Free> deflater(libdeflate_alloc_compressor(1));
+  const std::unique_ptr<libdeflate_compressor, FreeCompressor> deflater(libdeflate_alloc_compressor(1));
   if (!deflater) throw std::bad_alloc();
   Buffer packed(libdeflate_zlib_compress_bound(deflater.get(), data.size));
   packed.size =

@@ -21,9 +21,9 @@ struct Piece {
   std::size_t plane;          ///< the sample that it holds, if it does not hold all
 };
 
-class Decoder {
+class TiffDecoder {
  public:
-  Decoder(const Source& source, const TiffFile& file, const TiffLayout& layout, std::byte* pixels)
+  TiffDecoder(const Source& source, const TiffFile& file, const TiffLayout& layout, std::byte* pixels)
       : source_(source),
         file_(file),
         layout_(layout),
@@ -148,7 +148,7 @@ void decode_tiff(const Source& source, Canvas& canvas) {
   contents.not_read.insert(contents.not_read.end(), layout.shape.contents.not_read.begin(),
                            layout.shape.contents.not_read.end());
   layout.shape.contents = std::move(contents);
-  Decoder(source, file, layout, canvas.rows_for(layout.shape)).decode();
+  TiffDecoder(source, file, layout, canvas.rows_for(layout.shape)).decode();
 }
 
 }  // namespace plumb::codecs

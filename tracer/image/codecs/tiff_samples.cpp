@@ -10,9 +10,9 @@
 namespace plumb::codecs {
 namespace {
 
-class Reader {
+class TiffLayoutReader {
  public:
-  Reader(const Source& source, const TiffFile& file) : source_(source), file_(file) {}
+  TiffLayoutReader(const Source& source, const TiffFile& file) : source_(source), file_(file) {}
 
   TiffLayout layout() {
     layout_.bits = tag(TIFFTAG_BITSPERSAMPLE);
@@ -165,7 +165,9 @@ double whole_number(const TiffLayout& layout, const std::byte* bytes, std::size_
 
 }  // namespace
 
-TiffLayout tiff_layout(const Source& source, const TiffFile& file) { return Reader(source, file).layout(); }
+TiffLayout tiff_layout(const Source& source, const TiffFile& file) {
+  return TiffLayoutReader(source, file).layout();
+}
 
 double tiff_sample(const TiffLayout& layout, const std::byte* bytes, std::size_t i) {
   if (layout.format == SAMPLEFORMAT_IEEEFP) {
