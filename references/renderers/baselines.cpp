@@ -22,7 +22,7 @@ using OrderedJson = nlohmann::ordered_json;
 constexpr const char* records_name = "/baselines.json";
 constexpr const char* remedy = "; bring both back as they were approved, e.g. git checkout ";
 
-OrderedJson to_json(const Baseline& b) {
+OrderedJson json_of(const Baseline& b) {
   OrderedJson json{{"scene", b.name + ".sdf"},
                    {"image", b.name + ".exr"},
                    {"who", b.who},
@@ -44,7 +44,7 @@ bool is_within(const fs::path& name) {
 }
 
 /// Throws OrderedJson::exception or std::runtime_error.
-Baseline from_json(const OrderedJson& json) {
+Baseline baseline_from_json(const OrderedJson& json) {
   constexpr std::string_view extension = ".sdf";
   const std::string scene = json.at("scene");
   Baseline b{scene.substr(0, scene.size() - std::min<std::size_t>(scene.size(), extension.size())),
@@ -79,7 +79,7 @@ void put(std::vector<Baseline>& entries, Baseline entry) {
 
 std::string text_of(const std::vector<Baseline>& entries, const std::string& directory) {
   OrderedJson all = OrderedJson::array();
-  for (const Baseline& b : entries) all.push_back(to_json(b));
+  for (const Baseline& b : entries) all.push_back(json_of(b));
   try {
     return json_text(all, 2) + "\n";
   } catch (const OrderedJson::type_error&) {
@@ -97,7 +97,7 @@ Baselines::Baselines(std::string directory) : directory_(std::move(directory)) {
     const OrderedJson all = parse_ordered_json(read_file(path));
     if (!all.is_array()) throw std::runtime_error("expected a list of records");
     for (const OrderedJson& entry : all) {
-      Baseline baseline = from_json(entry);
+      Baseline baseline = baseline_from_json(entry);
       if (find(baseline.name) != nullptr) throw std::runtime_error("'" + baseline.name + "' is there twice");
       put(entries_, std::move(baseline));
     }

@@ -62,11 +62,11 @@ std::string checksum(std::string_view bytes) {
 
 /// magic, checksum of the rest, a line of JSON, the floats
 std::string pack(const Rendered& picture) {
-  const Json about{{"width", picture.image.width},
-                   {"height", picture.image.height},
-                   {"cpu_seconds", picture.cpu_seconds},
-                   {"precision", to_string(picture.holds)},
-                   {"warnings", picture.warnings}};
+  const nlohmann::json about{{"width", picture.image.width},
+                             {"height", picture.image.height},
+                             {"cpu_seconds", picture.cpu_seconds},
+                             {"precision", to_string(picture.holds)},
+                             {"warnings", picture.warnings}};
   std::string rest = json_text_of_any_bytes(about) + "\n";
   const std::size_t at = rest.size();
   rest.resize(at + picture.image.rgb.size() * sizeof(float));
@@ -82,7 +82,7 @@ std::optional<Rendered> unpack(std::string_view bytes) {
   const std::string_view rest = bytes.substr(magic.size() + hash_length + 1);
   if (checksum(rest) != hash || bytes[magic.size() + hash_length] != '\n') return std::nullopt;
   const std::size_t line = rest.find('\n');
-  const Json about = parse_json(rest.substr(0, line));
+  const nlohmann::json about = parse_json(rest.substr(0, line));
   Rendered picture;
   picture.image = Image(about.at("width"), about.at("height"));
   picture.cpu_seconds = about.at("cpu_seconds");

@@ -18,17 +18,17 @@
 namespace plumb::references {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 constexpr const char* provenance_name = "/provenance.json";
 
-StoredReference from_json(const Json& json) {
+StoredReference stored_reference_from_json(const OrderedJson& json) {
   return {json.at("scene"),    json.at("image"),         json.at("width"),
           json.at("height"),   json.at("export_sha256"), json.at("pixels_sha256"),
           json.at("renderer"), json.at("version"),       json.at("command")};
 }
 
-Json to_json(const StoredReference& e) {
+OrderedJson json_of(const StoredReference& e) {
   return {{"scene", e.scene},
           {"image", e.image},
           {"width", e.width},
@@ -51,9 +51,9 @@ StoredReferences::StoredReferences(std::string directory) : directory_(std::move
   std::ifstream file(directory_ + provenance_name);
   if (!file) return;
   try {
-    for (const Json& entry : parse_ordered_json(read_file(directory_ + provenance_name)))
-      entries_.push_back(from_json(entry));
-  } catch (const Json::exception& error) {
+    for (const OrderedJson& entry : parse_ordered_json(read_file(directory_ + provenance_name)))
+      entries_.push_back(stored_reference_from_json(entry));
+  } catch (const OrderedJson::exception& error) {
     throw std::runtime_error(directory_ + provenance_name + ": is damaged: " + error.what());
   }
 }
@@ -94,8 +94,8 @@ void StoredReferences::store(StoredReference entry, const Image& image) {
     *same = std::move(entry);
   }
   std::sort(entries_.begin(), entries_.end(), [](const auto& a, const auto& b) { return a.scene < b.scene; });
-  Json all = Json::array();
-  for (const StoredReference& e : entries_) all.push_back(to_json(e));
+  OrderedJson all = OrderedJson::array();
+  for (const StoredReference& e : entries_) all.push_back(json_of(e));
   write_file(directory_ + provenance_name, json_text(all, 2) + "\n");
 }
 

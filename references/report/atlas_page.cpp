@@ -131,7 +131,7 @@ std::string table_of(const Condition& condition, const std::vector<std::optional
 }
 
 /// How much of it breaks, in one sentence.
-std::string conclusion_of(const std::vector<Condition>& conditions) {
+std::string conclusion_of_conditions(const std::vector<Condition>& conditions) {
   std::size_t all = 0, broken = 0, unavailable = 0;
   for (const Condition& condition : conditions) {
     for (const Row& row : condition.rows) {
@@ -151,7 +151,7 @@ std::string page_of(const std::vector<Condition>& conditions) {
   std::string body = key_of_colours();
   const auto pictures = pictures_of(conditions);
   for (std::size_t i = 0; i < conditions.size(); ++i) body += table_of(conditions[i], pictures[i]);
-  return html::page({"Where methods fail", conclusion_of(conditions), body, ""});
+  return html::page({"Where methods fail", conclusion_of_conditions(conditions), body, ""});
 }
 
 }  // namespace plumb::references::stability

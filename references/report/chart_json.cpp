@@ -5,24 +5,22 @@
 namespace plumb::references {
 namespace {
 
-using OrderedJson = nlohmann::ordered_json;
+using Json = nlohmann::ordered_json;
 
-OrderedJson or_null(const std::string& text) {
-  return text.empty() ? OrderedJson(nullptr) : OrderedJson(text);
-}
+Json or_null(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
 
 template <class Value>
-OrderedJson or_null(const std::optional<Value>& value) {
-  return value ? OrderedJson(*value) : OrderedJson(nullptr);
+Json or_null(const std::optional<Value>& value) {
+  return value ? Json(*value) : Json(nullptr);
 }
 
 const char* name_of(Truth truth) { return truth == Truth::pixel_centres ? "pixel_centres" : "pixel_areas"; }
 
-OrderedJson json_of(const Spread& spread) {
+Json json_of(const Spread& spread) {
   return {{"median", spread.median}, {"min", spread.min}, {"max", spread.max}};
 }
 
-OrderedJson json_of(const ChartPoint& point) {
+Json json_of(const ChartPoint& point) {
   const Configuration& way = point.way;
   return {{"id", way.id},
           {"title", way.title},
@@ -50,27 +48,26 @@ OrderedJson json_of(const ChartPoint& point) {
 
 }  // namespace
 
-OrderedJson to_json(const Chart& chart) {
-  OrderedJson json{
-      {"plumb", PLUMB_VERSION},
-      {"machine", chart.machine},
-      {"povray", or_null(chart.povray)},
-      {"size", {{"width", chart.options.size.width}, {"height", chart.options.size.height}}},
-      {"runs", chart.options.runs},
-      {"depth", chart.options.render.depth},
-      {"tolerance", 1e-6},
-      {"truths",
-       {{"pixel_centres", "textbook tracer, 113 bits, one sample through each pixel's centre"},
-        {"pixel_areas", "engine, double, " + std::to_string(samples_of_area) + " samples a pixel"}}},
-      {"cost",
-       "processor time of one thread, the scene's preparation included; of POV-Ray without its start: "
-       "less a picture of 2 x 2. ratio: to the fastest of the scene, each run divided by the yardstick "
-       "measured just before it"},
-      {"yardstick", yardstick().id},
-      {"instructions_complaint", or_null(chart.instructions)},
-      {"scenes", OrderedJson::array()}};
+Json to_json(const Chart& chart) {
+  Json json{{"plumb", PLUMB_VERSION},
+            {"machine", chart.machine},
+            {"povray", or_null(chart.povray)},
+            {"size", {{"width", chart.options.size.width}, {"height", chart.options.size.height}}},
+            {"runs", chart.options.runs},
+            {"depth", chart.options.render.depth},
+            {"tolerance", 1e-6},
+            {"truths",
+             {{"pixel_centres", "textbook tracer, 113 bits, one sample through each pixel's centre"},
+              {"pixel_areas", "engine, double, " + std::to_string(samples_of_area) + " samples a pixel"}}},
+            {"cost",
+             "processor time of one thread, the scene's preparation included; of POV-Ray without its start: "
+             "less a picture of 2 x 2. ratio: to the fastest of the scene, each run divided by the yardstick "
+             "measured just before it"},
+            {"yardstick", yardstick().id},
+            {"instructions_complaint", or_null(chart.instructions)},
+            {"scenes", Json::array()}};
   for (const ChartScene& scene : chart.scenes) {
-    OrderedJson points = OrderedJson::array();
+    Json points = Json::array();
     for (const ChartPoint& point : scene.points) points.push_back(json_of(point));
     json["scenes"].push_back({{"scene", scene.scene}, {"left_out", scene.left_out}, {"points", points}});
   }

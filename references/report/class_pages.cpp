@@ -150,7 +150,7 @@ std::vector<const Fault*> faults_found(const std::vector<JudgedPicture>& all) {
 std::string page_name(std::size_t number) { return "submission-" + std::to_string(number + 1) + ".html"; }
 
 /// Of these pictures, in one sentence.
-std::string conclusion_of(const JudgedPicture* begin, const JudgedPicture* end) {
+std::string conclusion_of_pictures(const JudgedPicture* begin, const JudgedPicture* end) {
   const auto count = [&](std::initializer_list<Judged> verdicts) {
     return static_cast<std::size_t>(std::count_if(begin, end, [&](const JudgedPicture& p) {
       return std::find(verdicts.begin(), verdicts.end(), p.verdict) != verdicts.end();
@@ -212,7 +212,7 @@ std::string link_to_all() { return html::link("index.html", "← All submissions
 std::string page_of(const Row& row, HintLevel hint, const RunFacts& facts) {
   std::string body = shuffle_text(facts);
   for (const JudgedPicture* at = row.begin; at != row.end; ++at) body += section(*at, hint, facts.journal);
-  return html::page({row.begin->submission, conclusion_of(row.begin, row.end), body, link_to_all()});
+  return html::page({row.begin->submission, conclusion_of_pictures(row.begin, row.end), body, link_to_all()});
 }
 
 std::string table_of(const std::vector<Row>& rows, HintLevel hint) {
@@ -257,9 +257,9 @@ void write_overview(const std::string& directory, const std::vector<JudgedPictur
   write_lessons(folder / lessons_page, all, hint);
   const std::string body =
       summary(all) + shuffle_text(facts) + limits_text(facts) + not_judged_text(facts) + table_of(rows, hint);
-  write_file(
-      folder / "index.html",
-      html::page({"Tracers judged by plumb", conclusion_of(all.data(), all.data() + all.size()), body, ""}));
+  write_file(folder / "index.html",
+             html::page({"Tracers judged by plumb",
+                         conclusion_of_pictures(all.data(), all.data() + all.size()), body, ""}));
 }
 
 }  // namespace plumb::references

@@ -72,7 +72,7 @@ std::string settled_by(const TellApart& group) {
 }
 
 /// What was found, in one sentence.
-std::string conclusion_of(const Diagnosed& d) {
+std::string conclusion_of_diagnosis(const Diagnosed& d) {
   const Diagnosis& found = d.diagnosis;
   const std::string summary = summary_of(found);
   if (found.verdict == PictureVerdict::right) return "The picture is right.";
@@ -97,7 +97,7 @@ void write_diagnosis(const std::string& directory, const Diagnosed& d, int hint)
   std::filesystem::create_directories(directory);
   refuse_to_replace_others(directory + "/diagnose.html");
   write_file(directory + "/diagnose.html",
-             html::page({"Diagnosis of " + d.image, conclusion_of(d), body, ""}));
+             html::page({"Diagnosis of " + d.image, conclusion_of_diagnosis(d), body, ""}));
 }
 
 }  // namespace plumb::references

@@ -1,9 +1,9 @@
 #include "references/report/explain.hpp"
 
 #include <array>
-#include <cstdio>
 
 #include "references/comparison/comparison.hpp"
+#include "references/report/formatted.hpp"
 #include "tracer/scene/each_kind.hpp"
 #include "tracer/scene/hierarchy.hpp"
 #include "tracer/text/words.hpp"
@@ -84,13 +84,9 @@ const Shape* blocking_shape(const Scene& scene, const InstanceShapes& shapes, co
   return &scene.shapes[shapes.at(seen.blocker.surface.instance)];
 }
 
-std::string number(double x) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.9g", x);
-  return text;
+std::string triple(const Vec3d& v) {
+  return "(" + nine_digits(v.x) + " " + nine_digits(v.y) + " " + nine_digits(v.z) + ")";
 }
-
-std::string triple(const Vec3d& v) { return "(" + number(v.x) + " " + number(v.y) + " " + number(v.z) + ")"; }
 
 class Writer {
  public:
@@ -141,7 +137,7 @@ class Writer {
     const std::string face =
         met.surface.face == no_face ? "" : ", face " + std::to_string(static_cast<int>(met.surface.face));
     line(indent,
-         "meets " + in_quotes(terms.shape().name) + face + " at t = " + number(met.t) + ", point " +
+         "meets " + in_quotes(terms.shape().name) + face + " at t = " + nine_digits(met.t) + ", point " +
              triple(met.point) + ", normal " + triple(met.normal) + ", material " +
              in_quotes(terms.material().name),
          terms.slide());
@@ -151,26 +147,27 @@ class Writer {
   void light(const Terms& terms, std::size_t i, const LightSeen<double>& seen, int indent) {
     const std::string name = "light " + in_quotes(terms.light(i).name);
     if (!seen.counts)
-      return line(indent, name + " is behind the surface: n.l = " + number(seen.cos_theta), "Lambert");
+      return line(indent, name + " is behind the surface: n.l = " + nine_digits(seen.cos_theta), "Lambert");
     if (Terms::is_hidden(seen)) return line(indent, name + " is hidden" + blocker(seen), "Schatten");
-    line(indent, name + " is seen at distance " + number(seen.distance) + ", delta = " + triple(seen.delta),
+    line(indent,
+         name + " is seen at distance " + nine_digits(seen.distance) + ", delta = " + triple(seen.delta),
          "Schatten");
     line(indent + 1,
          "diffuse   Ip kd (n.l) = " + triple(terms.diffuse(i)) +
              ", Ip = " + triple(terms.light(i).intensity()) + ", kd = " + triple(terms.material().kd) +
-             ", n.l = " + number(seen.cos_theta),
+             ", n.l = " + nine_digits(seen.cos_theta),
          "Lambert");
     line(indent + 1,
          "specular  Ip ks (r.v)^m = " + triple(terms.specular(i)) + ", ks = " + triple(terms.material().ks) +
-             ", (r.v)^m = " + number(seen.specular_factor) + ", m = " + number(terms.material().m),
+             ", (r.v)^m = " + nine_digits(seen.specular_factor) + ", m = " + nine_digits(terms.material().m),
          "Phong");
   }
 
   std::string blocker(const LightSeen<double>& seen) const {
     const Shape* const shape = blocking_shape(scene_, shapes_, seen);
     if (shape == nullptr) return "";
-    return " by " + in_quotes(shape->name) + " at t = " + number(seen.blocker.t) + " of " +
-           number(seen.distance);
+    return " by " + in_quotes(shape->name) + " at t = " + nine_digits(seen.blocker.t) + " of " +
+           nine_digits(seen.distance);
   }
 
   const Scene& scene_;

@@ -10,13 +10,9 @@
 namespace plumb::references {
 namespace {
 
-std::string components(const std::vector<float>& values) {
+std::string nine_digits_of_each(const std::vector<float>& values) {
   std::string text;
-  for (const float v : values) {
-    char number[32];
-    std::snprintf(number, sizeof number, "%s%.9g", text.empty() ? "" : " ", static_cast<double>(v));
-    text += number;
-  }
+  for (const float v : values) text += (text.empty() ? "" : " ") + nine_digits(static_cast<double>(v));
   return text;
 }
 
@@ -37,8 +33,9 @@ std::string table_of(const Findings& f) {
   if (c.non_finite > 0) text += formatted("not finite   %zu pixels\n", c.non_finite);
   text += formatted("max error    %.9g\nmean error   %.9g\nRMS error    %.9g\npixels over  %zu of %zu\n",
                     c.max_error, c.mean_error, c.rms_error, c.pixels_over, c.pixels);
-  text += formatted("worst pixel  (%d, %d): test %s, reference %s\n", c.worst.x, c.worst.y,
-                    components(c.worst.test).c_str(), components(c.worst.reference).c_str());
+  text +=
+      formatted("worst pixel  (%d, %d): test %s, reference %s\n", c.worst.x, c.worst.y,
+                nine_digits_of_each(c.worst.test).c_str(), nine_digits_of_each(c.worst.reference).c_str());
   const std::string allowed = bounds_text(f.bounds, f.result);
   if (!allowed.empty()) text += formatted("bounds       %s\n", allowed.c_str());
   if (f.metrics) text += metrics_table(*f.metrics);
@@ -52,7 +49,7 @@ std::string details_of(const Findings& f) {
   std::string text = std::to_string(c.pixels_over) + " of " + std::to_string(c.pixels) + " pixels are over";
   if (c.non_finite > 0) text += ", " + std::to_string(c.non_finite) + " of them are not finite";
   text += "; worst pixel (" + std::to_string(c.worst.x) + ", " + std::to_string(c.worst.y) + "): test " +
-          components(c.worst.test) + ", reference " + components(c.worst.reference);
+          nine_digits_of_each(c.worst.test) + ", reference " + nine_digits_of_each(c.worst.reference);
   const std::string allowed = bounds_text(f.bounds, f.result);
   if (!allowed.empty()) text += "\nbounds: " + allowed;
   if (f.cause) text += "\nlikely cause: " + cause_text(*f.cause);

@@ -13,4 +13,7 @@ std::string formatted(const char* format, const auto&... values) {
   return text;
 }
 
+/// Enough that it reads back as the same float32.
+inline std::string nine_digits(double value) { return formatted("%.9g", value); }
+
 }  // namespace plumb::references

@@ -1,25 +1,19 @@
 #include "references/report/metrics_table.hpp"
 
-#include <cstdio>
+#include "references/report/formatted.hpp"
 
 namespace plumb::references {
 namespace {
-
-std::string number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.9g", value);
-  return text;
-}
 
 std::string line(const std::string& name, const std::string& value) {
   return name + std::string(13 - name.size(), ' ') + value + "\n";
 }
 
 std::string flip_text(const Flip& flip) {
-  std::string text = "mean " + number(flip.mean) + ", max " + number(flip.max);
+  std::string text = "mean " + nine_digits(flip.mean) + ", max " + nine_digits(flip.max);
   if (const auto& e = flip.exposures) {
-    text += ", HDR, " + std::to_string(e->count) + " exposures from " + number(e->start) + " to " +
-            number(e->stop) + " stops";
+    text += ", HDR, " + std::to_string(e->count) + " exposures from " + nine_digits(e->start) + " to " +
+            nine_digits(e->stop) + " stops";
   }
   return text;
 }
@@ -29,7 +23,7 @@ std::string scalars_text(const Metrics& m) {
   for (std::size_t i = 0; i < m.scalars.size(); ++i) {
     const ScalarMetric& metric = scalar_metrics()[i];
     const std::string none = "none: " + std::string(metric.none) + ", or not finite";
-    text += line(metric.name, m.scalars[i] ? number(*m.scalars[i]) : none);
+    text += line(metric.name, m.scalars[i] ? nine_digits(*m.scalars[i]) : none);
   }
   return text;
 }
@@ -57,13 +51,13 @@ std::string metrics_help() {
 std::string metrics_table(const Metrics& m) {
   std::string percentiles;
   for (std::size_t i = 0; i < m.percentiles.size(); ++i) {
-    percentiles += (i == 0 ? "" : ", ") + number(static_cast<double>(permilles[i]) / 10) +
-                   " %: " + number(m.percentiles[i]);
+    percentiles += (i == 0 ? "" : ", ") + nine_digits(static_cast<double>(permilles[i]) / 10) +
+                   " %: " + nine_digits(m.percentiles[i]);
   }
   std::string bias;
-  for (const double b : m.bias) bias += (bias.empty() ? "" : " ") + number(b);
-  return line("peak", number(m.peak)) +
-         line("PSNR", m.psnr_db ? number(*m.psnr_db) + " dB" : "none: nothing differs") +
+  for (const double b : m.bias) bias += (bias.empty() ? "" : " ") + nine_digits(b);
+  return line("peak", nine_digits(m.peak)) +
+         line("PSNR", m.psnr_db ? nine_digits(*m.psnr_db) + " dB" : "none: nothing differs") +
          line("percentiles", percentiles) + line("bias", bias) + scalars_text(m) +
          line("FLIP", m.flip ? flip_text(*m.flip) : "none: not finite");
 }

@@ -5,13 +5,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-template <class Ids, class Things>
-std::vector<std::string> names_of(const Ids& ids, const Things& things) {
-  std::vector<std::string> names;
-  for (const auto id : ids) names.push_back(things[id].name);
-  return names;
-}
-
 Json features_json(const Needs& needs) {
   Json all = Json::array();
   for (const Feature& f : needs.features)
@@ -47,7 +40,7 @@ Json depth_json(const Needs& needs) {
 
 Json costs_json(const Costs& costs) {
   Json json{{"cpu_seconds", costs.cpu_seconds}, {"rounds", costs.rounds}};
-  for (const Cost& c : costs.costs)
+  for (const FeatureCost& c : costs.costs)
     json["with_against_without"].push_back(
         {{"feature", c.feature}, {"median", c.ratio}, {"least", c.least}, {"greatest", c.greatest}});
   return json;

@@ -29,13 +29,6 @@ std::string listed(const std::vector<std::string>& names, std::size_t most = 12)
   return text + line;
 }
 
-template <class Ids, class Things>
-std::vector<std::string> names_of(const Ids& ids, const Things& things) {
-  std::vector<std::string> names;
-  for (const auto id : ids) names.push_back(things[id].name);
-  return names;
-}
-
 std::string features_text(const Needs& needs) {
   std::string text = "\nWhat of the lecture it has, and how often that happens in the picture\n";
   std::vector<std::string> absent;
@@ -122,7 +115,7 @@ std::string costs_text(const Costs& costs) {
   std::string text =
       formatted("\nWhat it costs: %.1f ms of CPU in double, on one thread; with against without\n",
                 1e3 * costs.cpu_seconds);
-  for (const Cost& c : costs.costs)
+  for (const FeatureCost& c : costs.costs)
     text +=
         "  " + padded(c.feature, 26) + formatted("x %.2f  (%.2f to %.2f)\n", c.ratio, c.least, c.greatest);
   return text + formatted("  Medians and ranges of %d rounds in turns.\n", costs.rounds);

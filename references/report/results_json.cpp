@@ -28,9 +28,9 @@ Json flip_json(const Flip& flip) {
   return json;
 }
 
-constexpr std::array figures{"max_error",   "judged_error", "mean_error", "rms_error",
-                             "pixels_over", "non_finite",   "worst",      "metrics",
-                             "budget",      "unexamined",   "unverified", "shapes"};
+constexpr std::array keys_of_figures{"max_error",   "judged_error", "mean_error", "rms_error",
+                                     "pixels_over", "non_finite",   "worst",      "metrics",
+                                     "budget",      "unexamined",   "unverified", "shapes"};
 
 std::vector<std::string> texts_of(const std::vector<Region>& regions) {
   std::vector<std::string> texts;
@@ -53,7 +53,7 @@ Json scene_json(const SceneResult& r, const std::string& message) {
   json["unexamined"] = r.budget.unexamined;
   json["unverified"] = r.budget.unverified();
   json["shapes"] = r.budget.shapes;
-  for (const char* const key : figures)
+  for (const char* const key : keys_of_figures)
     if (!has_figures) json[key] = nullptr;  // 0 would say that nothing differs
   for (const TermResult& t : r.terms) json["terms"][to_string(t.term)] = to_json(t);
   if (r.judgement) json["judgement"] = to_json(*r.judgement);

@@ -155,7 +155,7 @@ class SceneMeasurer {
 
   void measure_run(std::vector<Entry>& entries, int run) {
     std::map<std::string, MeasuredRun> timed;
-    std::optional<Cost> start;
+    std::optional<WorkCost> start;
     std::size_t done = 0;
     for (Entry& entry : entries) {
       const double part = static_cast<double>(done++) / static_cast<double>(entries.size());
@@ -172,23 +172,23 @@ class SceneMeasurer {
   }
 
   /// `start` is the cost of the start in this run, once it is known.
-  MeasuredRun time(const Configuration& way, std::optional<Cost>& start) const {
+  MeasuredRun time(const Configuration& way, std::optional<WorkCost>& start) const {
     if (way.is_program && !start) start = cost_of_start(*way.renderer);
-    const Cost unit = cost_of([&] { yardstick_.renderer->render(shot_); }, tools_.counter, least_seconds);
-    const Cost cost = cost_of([&] { way.renderer->render(shot_); }, tools_.counter, least_seconds);
+    const WorkCost unit = cost_of([&] { yardstick_.renderer->render(shot_); }, tools_.counter, least_seconds);
+    const WorkCost cost = cost_of([&] { way.renderer->render(shot_); }, tools_.counter, least_seconds);
     return {way.is_program ? without_start(cost, *start) : cost, unit.cpu_seconds};
   }
 
   /// The same work for next to no pixels.
-  Cost cost_of_start(const Renderer& renderer) const {
+  WorkCost cost_of_start(const Renderer& renderer) const {
     Shot tiny = shot_;
     tiny.width = tiny.height = 2;
     return cost_of([&] { renderer.render(tiny); }, tools_.counter, 0);
   }
 
   /// Subtracts the start, down to a hundredth of it: less cannot be told from its own variation.
-  static Cost without_start(const Cost& all, const Cost& start) {
-    Cost rest{std::max(all.cpu_seconds - start.cpu_seconds, 0.01 * start.cpu_seconds), std::nullopt};
+  static WorkCost without_start(const WorkCost& all, const WorkCost& start) {
+    WorkCost rest{std::max(all.cpu_seconds - start.cpu_seconds, 0.01 * start.cpu_seconds), std::nullopt};
     if (all.instructions && start.instructions)
       rest.instructions = *all.instructions - std::min(*all.instructions, *start.instructions);
     return rest;

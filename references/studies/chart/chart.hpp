@@ -32,7 +32,7 @@ Spread spread_of(std::vector<double> values);
 
 struct ChartPoint {
   Configuration way;
-  ErrorFigures error;
+  ChartError error;
   Spread cpu_seconds;
   Spread ratio;  ///< to the fastest of the scene
   std::optional<std::uint64_t> instructions;

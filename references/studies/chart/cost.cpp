@@ -57,7 +57,7 @@ std::optional<std::uint64_t> InstructionCounter::read() const {
   return count;
 }
 
-Cost cost_of(const std::function<void()>& work, const InstructionCounter& counter, double least_seconds) {
+WorkCost cost_of(const std::function<void()>& work, const InstructionCounter& counter, double least_seconds) {
   const auto instructions = counter.read();
   const double begin = cpu_seconds_so_far();
   double passed = 0;
@@ -67,7 +67,7 @@ Cost cost_of(const std::function<void()>& work, const InstructionCounter& counte
     ++times;
     passed = cpu_seconds_so_far() - begin;
   } while (passed < least_seconds);
-  Cost cost{passed / static_cast<double>(times), std::nullopt};
+  WorkCost cost{passed / static_cast<double>(times), std::nullopt};
   const auto end = counter.read();
   if (instructions && end) cost.instructions = (*end - *instructions) / times;
   return cost;

@@ -7,7 +7,7 @@
 
 namespace plumb::references {
 
-struct Cost {
+struct WorkCost {
   double cpu_seconds = 0;  ///< user and system, of all threads and of children that have ended
   std::optional<std::uint64_t> instructions;  ///< in user mode; nothing where the machine cannot count them
 };
@@ -33,6 +33,6 @@ class InstructionCounter {
 
 /// Repeats the work until it took `least_seconds` of CPU time, and returns the mean: clocks are coarse, and
 /// small pictures take less than a millisecond.
-Cost cost_of(const std::function<void()>& work, const InstructionCounter& counter, double least_seconds);
+WorkCost cost_of(const std::function<void()>& work, const InstructionCounter& counter, double least_seconds);
 
 }  // namespace plumb::references

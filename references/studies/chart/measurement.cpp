@@ -48,7 +48,7 @@ Measurement load_measurement(const std::string& path) {
 }
 
 void store_measurement(const std::string& path, const Measurement& measurement) {
-  const ErrorFigures& error = measurement.error.value();
+  const ChartError& error = measurement.error.value();
   Json json{{"error",
              {{"max", error.max},
               {"rms", error.rms},

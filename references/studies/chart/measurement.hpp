@@ -11,7 +11,7 @@
 namespace plumb::references {
 
 /// Absolute differences of linear components, as in Comparison.
-struct ErrorFigures {
+struct ChartError {
   double max = 0;
   double rms = 0;
   std::size_t pixels_over = 0;  ///< 1e-6, relative above 1; includes those that are not finite
@@ -19,12 +19,12 @@ struct ErrorFigures {
 };
 
 struct MeasuredRun {
-  Cost cost;
+  WorkCost cost;
   double yardstick_seconds = 0;  ///< CPU time of the yardstick, measured just before
 };
 
 struct Measurement {
-  std::optional<ErrorFigures> error;
+  std::optional<ChartError> error;
   std::vector<MeasuredRun> runs;
 
   double seconds() const;  ///< CPU time of all runs

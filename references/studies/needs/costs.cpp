@@ -64,7 +64,7 @@ int rounds_for(double cpu_seconds) {
   return 2 * static_cast<int>(std::clamp(0.05 / std::max(cpu_seconds, 1e-4), 1.0, 7.0)) + 1;
 }
 
-Cost cost_of(const std::string& feature, const std::vector<double>& ratios) {
+FeatureCost cost_of(const std::string& feature, const std::vector<double>& ratios) {
   const auto [least, greatest] = std::minmax_element(ratios.begin(), ratios.end());
   return {feature, median(ratios), *least, *greatest};
 }

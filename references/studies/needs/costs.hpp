@@ -10,7 +10,7 @@
 
 namespace plumb::references {
 
-struct Cost {
+struct FeatureCost {
   std::string feature;
   double ratio = 1;                ///< CPU time with it over that without: the median of the rounds
   double least = 1, greatest = 1;  ///< of the rounds
@@ -19,7 +19,7 @@ struct Cost {
 struct Costs {
   double cpu_seconds = 0;  ///< median CPU time of the picture with all features
   int rounds = 0;
-  std::vector<Cost> costs;
+  std::vector<FeatureCost> costs;
 };
 
 /// Renders the picture on one thread of the engine with all features, then without each that it has, and so
