@@ -115,9 +115,17 @@ void print_faults(const Options& options, const references::Diagnosis& d) {
   for (const references::FoundFault& found : d.faults) print(found, options.hint);
 }
 
+/// What is certain though not all is explained, and what is no mistake.
+void print_certain(const references::Diagnosis& d) {
+  if (d.camera == references::Certainty::right) std::printf("camera: right\n");
+  for (const references::Habit& habit : d.habits)
+    std::printf("habit: %s (%.3g %.3g %.3g)\n", habit.title.c_str(), habit.value.r, habit.value.g,
+                habit.value.b);
+}
+
 /// Of another scene are pictures in which hardly anything is right.
 void print_unexplained(const Options& options, const references::Diagnosis& d) {
-  const bool is_other = 2 * d.pixels_over > d.pixels;
+  const bool is_other = 2 * d.pixels_over > d.pixels && d.camera == references::Certainty::unknown;
   const std::string why = d.is_of_one_colour ? std::string("; ") + references::one_colour_tells_nothing
                           : is_other         ? "; is it a picture of this scene?"
                                              : "";
@@ -144,6 +152,7 @@ void print(const Options& options, const references::Diagnosis& d) {
       print_unexplained(options, d);
       break;
   }
+  print_certain(d);
   print_remaining(d);
 }
 
@@ -158,9 +167,9 @@ void print(const std::vector<TellApart>& tell_apart, int hint) {
   }
 }
 
-int exit_code_of(references::PictureVerdict verdict) {
-  if (verdict == references::PictureVerdict::right) return exit_agrees;
-  return verdict == references::PictureVerdict::unexplained ? exit_abstains : exit_differs;
+int exit_code_of(const references::Diagnosis& diagnosis) {
+  if (diagnosis.verdict == references::PictureVerdict::right) return exit_agrees;
+  return diagnosis.tells_something() ? exit_differs : exit_abstains;
 }
 
 bool begins_like_a_picture(const std::string& path) {
@@ -220,11 +229,11 @@ int run_diagnose(const Options& options) {
   }
   if (!options.json.empty())
     references::write_json(options.json, to_json(options, diagnosis, tell_apart, not_looked_at));
-  if (options.report.empty()) return exit_code_of(diagnosis.verdict);
+  if (options.report.empty()) return exit_code_of(diagnosis);
   references::write_diagnosis(
       options.report, {options.image, shot, seen, diagnosis, tell_apart, not_looked_at}, options.hint);
   if (options.json != "-") std::printf("report: %s/diagnose.html\n", options.report.c_str());
-  return exit_code_of(diagnosis.verdict);
+  return exit_code_of(diagnosis);
 }
 
 }  // namespace
@@ -240,7 +249,7 @@ Command diagnose_command() {
           "edge.\n"
           "Exit codes: 0 the picture is right; 1 faults explain it, or a part, or it is right apart from a "
           "few\n"
-          "pixels; 2 trouble; 3 nothing explains it.",
+          "pixels, or a part is certain, e.g. the camera; 2 trouble; 3 nothing is certain.",
       .options = joined(
           {{{"SCENE", &options->scene, "scene file", {.is_required = true}},
             {"IMAGE", &options->image, "the picture that the tracer made of it", {.is_required = true}},

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "references/attribution/ray_tree.hpp"
+#include "references/diagnosis/geometry.hpp"
 #include "references/diagnosis/remains.hpp"
 #include "references/diagnosis/search.hpp"
 
@@ -123,23 +124,38 @@ class Diagnostician {
     diagnosis_.non_finite = evidence.non_finite();
   }
 
-  Diagnosis run(Evidence& evidence) {
-    const Remains right = remains_of(evidence_, {});
-    if (right.pixels.empty() || 2 * diagnosis_.non_finite > diagnosis_.pixels) {
-      tell(PictureVerdict::right, right, {});
-      if (!right.pixels.empty()) diagnosis_.verdict = PictureVerdict::unexplained;
+  /// Returns the diagnosis when the picture is right, or tells nothing.
+  std::optional<Diagnosis> without_search() {
+    right_ = remains_of(evidence_, {});
+    if (right_.pixels.empty() || 2 * diagnosis_.non_finite > diagnosis_.pixels) {
+      tell(PictureVerdict::right, right_, {});
+      if (!right_.pixels.empty()) diagnosis_.verdict = PictureVerdict::unexplained;
       return diagnosis_;
     }
     diagnosis_.is_of_one_colour = is_of_one_colour(seen_);
-    Fit fit = diagnosis_.is_of_one_colour ? Fit{} : explain(evidence);
-    if (!fit.set.empty() && are_faults(right, fit)) return diagnosis_;
-    const bool is_apart = is_small_part(right.pixels.size());
-    tell(is_apart ? PictureVerdict::right_apart : PictureVerdict::unexplained, right, {});
-    if (is_apart) diagnosis_.shapes = shapes_at(evidence_, right.pixels);
+    if (!diagnosis_.is_of_one_colour) return {};
+    tell_without_faults();
+    return diagnosis_;
+  }
+
+  /// These come after without_search().
+  Diagnosis without_faults() {
+    tell_without_faults();
+    return diagnosis_;
+  }
+  Diagnosis with_search(Evidence& evidence) {
+    Fit fit = explain(evidence);
+    if (fit.set.empty() || !are_faults(right_, fit)) tell_without_faults();
     return diagnosis_;
   }
 
  private:
+  void tell_without_faults() {
+    const bool is_apart = is_small_part(right_.pixels.size());
+    tell(is_apart ? PictureVerdict::right_apart : PictureVerdict::unexplained, right_, {});
+    if (is_apart) diagnosis_.shapes = shapes_at(evidence_, right_.pixels);
+  }
+
   bool is_small_part(std::size_t pixels) const {
     return static_cast<double>(pixels) <= most_apart * static_cast<double>(diagnosis_.pixels);
   }
@@ -225,6 +241,196 @@ class Diagnostician {
   const Evidence& evidence_;
   const ImageFile& seen_;
   Diagnosis diagnosis_;
+  Remains right_;
+};
+
+/// Faults that change where things are.
+bool is_of_geometry(const Fault& fault) {
+  constexpr int pixel_corner = 4;  // a shift by half a pixel, which no grid of cells tells
+  constexpr int last_of_the_camera = 7;
+  return (fault.catalogue <= last_of_the_camera && fault.catalogue != pixel_corner) ||
+         fault.id == "upside-down" || fault.id == "left-right-swapped";
+}
+
+bool names(const Diagnosis& diagnosis, const Fault* fault) {
+  return std::any_of(diagnosis.faults.begin(), diagnosis.faults.end(), [&](const FoundFault& found) {
+    return found.fault == fault ||
+           std::find(found.alike.begin(), found.alike.end(), fault) != found.alike.end();
+  });
+}
+
+/// Holds what the colours told against what the places of things tell, and adds to it.
+class ByGeometry {
+ public:
+  ByGeometry(const Evidence& evidence, const ImageFile& seen, std::optional<double> tolerance,
+             Geometry geometry)
+      : evidence_(evidence), seen_(seen), tolerance_(tolerance), geometry_(std::move(geometry)) {
+    habit_ = background_of_its_own();
+  }
+
+  /// Returns what accounts for nearly all of the picture, when that takes another background.
+  std::optional<Diagnosis> with_background_of_its_own() const {
+    if (!habit_) return {};
+    const Scene other = with_background(habit_->value);
+    std::optional<Diagnosis> found = explained(other);
+    if (!found) return {};
+    if (found->verdict == PictureVerdict::right) found->verdict = PictureVerdict::right_apart;
+    add_what_is_certain(*found);
+    return found;
+  }
+
+  /// True if no fault of a formula gives what is seen where nothing is hit: black, or the ambient light. Then
+  /// a search in the scene as it is finds nothing.
+  bool has_a_known_background() const { return habit_ && is_known_; }
+
+  /// Adds what is certain to what the colours told, and takes out what contradicts it.
+  Diagnosis completed(Diagnosis by_colours) const {
+    if (by_colours.verdict == PictureVerdict::faults && by_colours.explains_all()) return by_colours;
+    if (by_colours.verdict == PictureVerdict::right_apart) return by_colours;
+    add_what_is_certain(by_colours);
+    const bool is_sure = std::none_of(by_colours.faults.begin(), by_colours.faults.end(),
+                                      [&](const FoundFault& f) { return is_doubtful(f, by_colours); });
+    if (!agrees(by_colours) || !is_sure)
+      name_the_camera(by_colours, habit_ ? with_background(habit_->value) : evidence_.scene());
+    return by_colours;
+  }
+
+ private:
+  /// True if it names the camera's faults that the geometry shows and no others of the camera.
+  bool agrees(const Diagnosis& d) const {
+    const CameraFound& camera = geometry_.camera;
+    if (camera.is_right) {
+      return std::none_of(d.faults.begin(), d.faults.end(),
+                          [](const FoundFault& found) { return is_of_geometry(*found.fault); });
+    }
+    for (std::size_t i = 0; i < camera.faults.size(); ++i) {
+      const auto& alike = camera.alike[i];
+      const bool is_named =
+          names(d, camera.faults[i]) ||
+          std::any_of(alike.begin(), alike.end(), [&](const Fault* other) { return names(d, other); });
+      if (!is_named) return false;
+    }
+    return true;
+  }
+
+  void add_what_is_certain(Diagnosis& d) const {
+    if (habit_) d.habits.push_back(*habit_);
+    d.camera = geometry_.camera.is_right         ? Certainty::right
+               : geometry_.camera.faults.empty() ? Certainty::unknown
+                                                 : Certainty::wrong;
+  }
+
+  /// True if a fault rights so little beside what is left that both may have one cause, another one.
+  static bool is_doubtful(const FoundFault& found, const Diagnosis& d) {
+    return !is_of_geometry(*found.fault) && found.pixels < 2 * d.unexplained_pixels;
+  }
+
+  /// Returns the remark when no encoding makes the scene's background of what is seen where nothing is hit.
+  std::optional<Habit> background_of_its_own() {
+    if (!geometry_.background) return {};
+    const Rgbd seen = geometry_.background->colour;
+    const auto is_near = [&](const Rgbd& colour, const OutputEncoding& encoding) {
+      constexpr double two_levels = 2;  // because a tracer rounds as it likes
+      for (int c = 0; c < 3; ++c) {
+        const float level = encoding.level(static_cast<float>(colour[c]), static_cast<std::size_t>(c));
+        if (!(std::abs(std::clamp(level, 0.0F, 255.0F) - 255 * seen[c]) <= two_levels)) return false;
+      }
+      return true;
+    };
+    const auto is_near_in_any = [&](const Rgbd& colour) {
+      return std::any_of(evidence_.encodings().begin(), evidence_.encodings().end(),
+                         [&](const OutputEncoding& encoding) { return is_near(colour, encoding); });
+    };
+    if (is_near_in_any(evidence_.scene().background)) return {};
+    const Rgbd ambient = evidence_.scene().ambient;
+    const auto known = [&](const char* what) {
+      is_known_ = true;
+      return Habit{"background", std::string("Where nothing is hit, it ") + what + ".", seen};
+    };
+    if (seen == Rgbd(0)) return known("is black");
+    if (is_near(ambient, {})) return known("shows the ambient light");
+    if (is_near(ambient / (1.0 + ambient), {})) return known("shows the ambient light, tone-mapped");
+    return Habit{"background", "Where nothing is hit, it shows a colour of its own.", seen};
+  }
+
+  /// The scene whose right picture has this colour where nothing is hit: tone-mapped or not, as it fits
+  /// better.
+  Scene with_background(const Rgbd& seen) const {
+    Scene linear = evidence_.scene(), mapped = evidence_.scene();
+    linear.background = seen;
+    constexpr double nearly_one = 0.999;  // because no finite colour is tone-mapped to 1
+    mapped.background = glm::min(seen, Rgbd(nearly_one)) / (1.0 - glm::min(seen, Rgbd(nearly_one)));
+    return misfit_of(mapped) < misfit_of(linear) ? mapped : linear;
+  }
+
+  double misfit_of(const Scene& scene) const {
+    constexpr std::size_t pixels = 500;  // because the two backgrounds differ at most of them
+    Evidence evidence(scene, evidence_.camera(), evidence_.job(), seen_, tolerance_);
+    std::vector<PixelPlace> places;
+    const std::size_t stride = std::max<std::size_t>(1, evidence.survey().size() / pixels);
+    for (std::size_t i = 0; i < evidence.survey().size(); i += stride) places.push_back(evidence.survey()[i]);
+    evidence.look_at(places);
+    return evidence.fit(in_catalogue(geometry_.camera.faults), places.size()).misfit;
+  }
+
+  static FaultSet in_catalogue(const std::vector<const Fault*>& faults) {
+    FaultSet set;
+    const auto& all = fault_catalogue();
+    for (const Fault* fault : faults) {
+      if (find_fault(fault->id) == fault) set.push_back(static_cast<std::size_t>(fault - all.data()));
+    }
+    std::sort(set.begin(), set.end());
+    return set;
+  }
+
+  /// Searches again in the scene with another background. Returns what accounts for nearly all and does not
+  /// contradict the geometry.
+  std::optional<Diagnosis> explained(const Scene& scene) const {
+    constexpr std::size_t most_faults = 3;  // because of four names and more every second one was false
+    constexpr double most_left = 0.01;      // because with more left, faults soaked up what others caused
+    Evidence evidence(scene, evidence_.camera(), evidence_.job(), seen_, tolerance_);
+    Diagnostician diagnostician(evidence, seen_);
+    const std::optional<Diagnosis> simple = diagnostician.without_search();
+    Diagnosis found = simple ? *simple : diagnostician.with_search(evidence);
+    const double left = static_cast<double>(found.unexplained_pixels) / static_cast<double>(found.pixels);
+    const bool is_found = found.verdict != PictureVerdict::unexplained && left <= most_left &&
+                          found.faults.size() <= most_faults && agrees(found);
+    if (!is_found) return {};
+    return found;
+  }
+
+  /// Names what the geometry shows, and nothing of what contradicts it.
+  void name_the_camera(Diagnosis& d, const Scene& scene) const {
+    // Measured on pictures of the own scenes with faults of the camera and of the light, other backgrounds,
+    // gains and tone maps: none was named that was not there.
+    constexpr double confidence = 0.95;
+    d.faults.clear();
+    d.explained = 0;
+    d.is_flipped = false;
+    d.verdict = PictureVerdict::unexplained;
+    const CameraFound& camera = geometry_.camera;
+    for (std::size_t i = 0; i < camera.faults.size(); ++i) {
+      const double shared = static_cast<double>(1 + camera.alike[i].size());
+      d.faults.push_back(
+          {camera.faults[i], confidence / shared, std::max<std::size_t>(1, camera.pixels), camera.alike[i]});
+      d.is_flipped |= camera.faults[i]->id == "upside-down";
+    }
+    if (d.faults.empty()) return;
+    d.verdict = PictureVerdict::faults;
+    const FaultSet set = in_catalogue(camera.faults);
+    if (set.size() != camera.faults.size()) return;
+    Evidence evidence(scene, evidence_.camera(), evidence_.job(), seen_, tolerance_);
+    const Remains left = remains_of(evidence, set);
+    d.unexplained_pixels = left.pixels.size();
+    d.encoding = left.encoding;
+  }
+
+  const Evidence& evidence_;
+  const ImageFile& seen_;
+  std::optional<double> tolerance_;
+  Geometry geometry_;
+  std::optional<Habit> habit_;
+  bool is_known_ = false;  ///< with a habit: its colour is black or the ambient light's
 };
 
 std::string count_text(std::size_t count, std::size_t of) {
@@ -233,6 +439,13 @@ std::string count_text(std::size_t count, std::size_t of) {
 
 std::string in_words(const ShapeSeen& shape) {
   return shape.name.empty() ? std::string("the background") : "'" + shape.name + "'";
+}
+
+/// E.g. "where nothing is hit, it is black".
+std::string as_clause(const Habit& habit) {
+  std::string text = habit.title.substr(0, habit.title.size() - 1);
+  text.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(text.front())));
+  return text;
 }
 
 std::string shapes_in_words(const std::vector<ShapeSeen>& shapes) {
@@ -249,6 +462,7 @@ std::string not_right_in_words(const Diagnosis& d) {
     case PictureVerdict::right:
       return {};
     case PictureVerdict::right_apart:
+      if (d.explains_all() && !d.habits.empty()) return "right, with habits";
       return "right apart from " + count_text(d.unexplained_pixels, d.pixels) + ", " +
              shapes_in_words(d.shapes);
     case PictureVerdict::faults:
@@ -281,11 +495,21 @@ const char* to_string(PictureVerdict verdict) {
 Diagnosis diagnose(const Scene& scene, const Camera& camera, const textbook::RenderJob& job,
                    const ImageFile& seen, std::optional<double> tolerance) {
   Evidence evidence(scene, camera, job, seen, tolerance);
-  return Diagnostician(evidence, seen).run(evidence);
+  Diagnostician diagnostician(evidence, seen);
+  if (auto simple = diagnostician.without_search()) return *simple;
+  auto geometry = geometry_of(scene, camera, job, seen);
+  if (!geometry) return diagnostician.with_search(evidence);
+  const ByGeometry by_geometry(evidence, seen, tolerance, std::move(*geometry));
+  if (auto found = by_geometry.with_background_of_its_own()) return *found;
+  return by_geometry.completed(by_geometry.has_a_known_background() ? diagnostician.without_faults()
+                                                                    : diagnostician.with_search(evidence));
 }
 
 std::string summary_of(const Diagnosis& diagnosis) {
   std::string text = not_right_in_words(diagnosis);
+  if (diagnosis.camera == Certainty::right && diagnosis.verdict == PictureVerdict::unexplained)
+    text += "; the camera is right";
+  for (const Habit& habit : diagnosis.habits) text += "; " + as_clause(habit);
   if (diagnosis.non_finite == 0) return text;
   return text + (text.empty() ? "" : "; ") + std::to_string(diagnosis.non_finite) +
          (diagnosis.non_finite == 1 ? " pixel is not finite" : " pixels are not finite");

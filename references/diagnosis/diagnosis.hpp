@@ -19,11 +19,21 @@ enum class PictureVerdict {
 const char* to_string(PictureVerdict verdict);
 
 struct FoundFault {
-  const Fault* fault;
+  const Fault* fault;  ///< of fault_catalogue() or camera_families()
   double confidence;   ///< 0 to 1: the share explained, divided among the faults that cannot be told apart
   std::size_t pixels;  ///< number that are right with it and not without it; never 0
   std::vector<const Fault*> alike;  ///< faults that give the same picture of this scene in its place
 };
+
+/// Something that a tracer does and that is no formula of the lecture: a remark, not a mistake.
+struct Habit {
+  std::string id;     ///< "background": the colour where nothing is hit
+  std::string title;  ///< one sentence
+  Rgbd value;         ///< as the file has it, 0 to 1
+};
+
+/// What the places of edges and regions tell, whatever the colours are.
+enum class Certainty { unknown, right, wrong };
 
 struct ShapeSeen {
   std::string name;  ///< empty: the background
@@ -42,11 +52,17 @@ struct Diagnosis {
   std::size_t edges = 0;        ///< number that are right because they are proven to lie on an edge
   /// Number of pixels that the picture with the faults found, or the right one, does not account for.
   std::size_t unexplained_pixels = 0;
-  double explained = 0;             ///< share of the pixels that are not right that the faults make right
-  bool is_of_one_colour = false;    ///< true if it is not right and of one colour, which tells nothing
+  double explained = 0;           ///< share of the pixels that are not right that the faults make right
+  bool is_of_one_colour = false;  ///< true if it is not right and of one colour, which tells nothing
+  std::vector<Habit> habits{};    ///< with these the rest is accounted for, or stays unexplained
+  Certainty camera = Certainty::unknown;
   std::vector<ShapeSeen> shapes{};  ///< with right_apart: what these pixels should show, the most first
 
   bool explains_all() const { return unexplained_pixels == 0; }
+  /// True if something is known of the picture; else a diagnosis abstains.
+  bool tells_something() const {
+    return verdict != PictureVerdict::unexplained || camera != Certainty::unknown || !habits.empty();
+  }
 };
 
 /// Diagnoses a picture of the job's size. `tolerance` is in shares of 1. Colours of floats may be off by it,

@@ -6,6 +6,7 @@
 namespace plumb::references::faults {
 
 std::vector<Fault> of_the_camera();
+std::vector<Fault> families_of_the_camera();
 std::vector<Fault> of_the_lighting();
 std::vector<Fault> of_the_lights();
 std::vector<Fault> of_the_shadows();

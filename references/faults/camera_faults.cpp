@@ -159,6 +159,49 @@ std::vector<Fault> of_the_pose() {
 
 }  // namespace
 
+std::vector<Fault> families_of_the_camera() {
+  return {
+      {"field-of-view-fixed", 5, "Kameramodell", "The field of view is 90 degrees, whatever the scene says.",
+       "d = 0.5", "d = 0.5 / tan(fov / 2)", "among 6 of 42", "camera-model.sdf",
+       [](Subject& s) { s.camera.fov_x_degrees = 90; }, nullptr},
+      {"focal-length-of-its-own", 40, "Kameramodell",
+       "The distance of the image plane is a formula of its own.", "d = (180 - fov) / fov / 2",
+       "d = 0.5 / tan(fov / 2)", "among 6 of 26", "camera-model.sdf",
+       [](Subject& s) { s.formulas.image_plane_distance = [](double fov) { return (180 - fov) / fov / 2; }; },
+       nullptr},
+      {"half-angle-in-the-numerator", 40, "Kameramodell", "The image plane is twice as far away.",
+       "d = 1 / tan(fov / 2)", "d = 0.5 / tan(fov / 2)", "among 6 of 26", "camera-model.sdf",
+       [](Subject& s) {
+         s.formulas.image_plane_distance = [](double fov) {
+           return 1 / std::tan(formulas::radians(fov) / 2);
+         };
+       },
+       nullptr},
+      {"whole-angle-in-the-numerator", 40, "Kameramodell", "The image plane is as wide as tan(fov).",
+       "d = 1 / tan(fov)", "d = 0.5 / tan(fov / 2)", "among 6 of 26", "camera-model.sdf",
+       [](Subject& s) {
+         s.formulas.image_plane_distance = [](double fov) { return 1 / std::tan(formulas::radians(fov)); };
+       },
+       nullptr},
+      {"degrees-into-tan-of-the-width", 1, "Kameramodell",
+       "The whole field of view goes into tan() in degrees.", "d = 0.5 / |tan(fov)|, fov in degrees",
+       "d = 0.5 / tan(fov pi / 360)", "among 9 of 42", "camera-model.sdf",
+       [](Subject& s) {
+         s.formulas.image_plane_distance = [](double fov) { return 0.5 / std::abs(std::tan(fov)); };
+       },
+       nullptr},
+      {"aspect-in-whole-numbers", 43, "Kameramodell",
+       "Height by width is divided in whole numbers, which gives 0: all rows are alike.", "y' = 0",
+       "y' = (y / h - 0.5) h / w", "1 of 26", "camera-model.sdf",
+       [](Subject& s) {
+         s.formulas.image_plane_point = [](int x, int, int width, int) {
+           return Vec2<double>{(x + 0.5) / width - 0.5, 0};
+         };
+       },
+       nullptr},
+  };
+}
+
 std::vector<Fault> of_the_camera() {
   std::vector<Fault> all = of_the_image_plane();
   for (const Fault& fault : of_the_pose()) all.push_back(fault);

@@ -50,6 +50,17 @@ const Fault* find_fault(std::string_view id) {
   return found == all.end() ? nullptr : &*found;
 }
 
+const std::vector<Fault>& camera_families() {
+  static const std::vector<Fault> all = faults::families_of_the_camera();
+  return all;
+}
+
+const Fault* find_camera_family(std::string_view id) {
+  const auto& all = camera_families();
+  const auto found = std::ranges::find(all, id, &Fault::id);
+  return found == all.end() ? nullptr : &*found;
+}
+
 std::vector<float> colours_with(const Scene& scene, const Camera& camera, const textbook::RenderJob& job,
                                 const std::vector<const Fault*>& faults,
                                 const std::vector<PixelPlace>& places, textbook::Work& work) {

@@ -42,6 +42,13 @@ const std::vector<Fault>& fault_catalogue();
 /// Returns the fault of that id, or null.
 const Fault* find_fault(std::string_view id);
 
+/// Returns faults of the camera that stand for a family, e.g. a field of view that is always the same. They
+/// are told by the geometry of a picture alone; no search over formulas tries them.
+const std::vector<Fault>& camera_families();
+
+/// Returns the family of that id, or null.
+const Fault* find_camera_family(std::string_view id);
+
 /// Renders with all these faults at once, in double whatever the job says. Without any it gives what render()
 /// gives. Colours may not be finite.
 Image render_with(const Scene& scene, const Camera& camera, const textbook::RenderJob& job,

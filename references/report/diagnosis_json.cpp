@@ -27,6 +27,28 @@ Json shapes_json(const std::vector<ShapeSeen>& shapes) {
   return all;
 }
 
+Json habits_json(const std::vector<Habit>& habits) {
+  Json all = Json::array();
+  for (const Habit& habit : habits) {
+    all.push_back(
+        {{"id", habit.id}, {"title", habit.title}, {"value", {habit.value.r, habit.value.g, habit.value.b}}});
+  }
+  return all;
+}
+
+/// Null where the picture does not tell.
+Json certain_json(Certainty certainty) {
+  switch (certainty) {
+    case Certainty::right:
+      return "right";
+    case Certainty::wrong:
+      return "wrong";
+    case Certainty::unknown:
+      break;
+  }
+  return {};
+}
+
 /// Levels of red, green and blue; null for floats.
 Json levels_json(const OutputEncoding& encoding) {
   return encoding.is_float ? Json() : Json(encoding.levels);
@@ -48,6 +70,8 @@ Json to_json(const Diagnosis& diagnosis, int hint) {
   }
   Json json{{"verdict", to_string(diagnosis.verdict)}, {"faults", faults}};
   if (!diagnosis.faults.empty()) json["explains"] = diagnosis.explains_all() ? "all" : "part";
+  json["certain"] = {{"camera", certain_json(diagnosis.camera)}};
+  json["habits"] = habits_json(diagnosis.habits);
   json["unexplained_pixels"] = diagnosis.unexplained_pixels;
   json["edge_pixels"] = diagnosis.edges;
   json["non_finite"] = diagnosis.non_finite;

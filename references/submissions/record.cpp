@@ -10,7 +10,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 const Fault* fault_of(const Json& id) {
-  const Fault* const fault = find_fault(id.get<std::string>());
+  const std::string name = id.get<std::string>();
+  const Fault* const fault = find_fault(name) != nullptr ? find_fault(name) : find_camera_family(name);
   if (fault == nullptr) throw std::runtime_error("an unknown fault");
   return fault;
 }
@@ -63,7 +64,17 @@ OutputEncoding encoding_of(const Json& json) {
 
 Json record_of(const ShapeSeen& shape) { return {shape.name, shape.pixels}; }
 
+Json record_of(const Habit& habit) {
+  return {habit.id, habit.title, habit.value.r, habit.value.g, habit.value.b};
+}
+
+Habit habit_of(const Json& json) {
+  return {json.at(0), json.at(1), Rgbd(json.at(2), json.at(3), json.at(4))};
+}
+
 Json record_of(const Diagnosis& diagnosis) {
+  Json habits = Json::array();
+  for (const Habit& habit : diagnosis.habits) habits.push_back(record_of(habit));
   Json faults = Json::array();
   for (const FoundFault& found : diagnosis.faults) faults.push_back(record_of(found));
   Json shapes = Json::array();
@@ -80,6 +91,8 @@ Json record_of(const Diagnosis& diagnosis) {
           {"unexplained_pixels", diagnosis.unexplained_pixels},
           {"explained", diagnosis.explained},
           {"is_of_one_colour", diagnosis.is_of_one_colour},
+          {"habits", habits},
+          {"camera", static_cast<int>(diagnosis.camera)},
           {"shapes", shapes}};
 }
 
@@ -97,6 +110,8 @@ Diagnosis diagnosis_of(const Json& json) {
   diagnosis.unexplained_pixels = json.at("unexplained_pixels");
   diagnosis.explained = real_of(json.at("explained"));
   diagnosis.is_of_one_colour = json.at("is_of_one_colour");
+  for (const Json& habit : json.at("habits")) diagnosis.habits.push_back(habit_of(habit));
+  diagnosis.camera = static_cast<Certainty>(json.at("camera").get<int>());
   for (const Json& shape : json.at("shapes"))
     diagnosis.shapes.push_back({shape.at(0).get<std::string>(), shape.at(1).get<std::size_t>()});
   return diagnosis;

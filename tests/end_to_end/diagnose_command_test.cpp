@@ -90,6 +90,44 @@ TEST_F(DiagnoseCommand, ItAbstainsFromAnotherPicture) {
   EXPECT_TRUE(contains(outcome.out, "no set of known faults explains it")) << outcome.out;
 }
 
+/// Large enough that edges tell the camera.
+constexpr const char* room_scene = R"(define material red 0.4 0.1 0.1 0.6 0.2 0.1 0.3 0.2 0.1 20
+define material blue 0.1 0.1 0.4 0.1 0.2 0.6 0.1 0.2 0.3 20
+define shape sphere ball -0.8 0 -4 1 red
+define shape sphere small 1.2 0.9 -5 0.5 blue
+define shape box floor -2 -1.4 -6 2.2 -1.2 -3 blue
+define light key 4 6 2 1 1 1 1
+ambient 0.2 0.2 0.2
+background 0.1 0.15 0.3
+define camera eye 60
+render eye out.ppm 120 80
+)";
+
+TEST_F(DiagnoseCommand, AnotherBackgroundIsAHabit) {
+  workplace_.file("room.sdf", room_scene);
+  workplace_.file("black.sdf", replaced(room_scene, "background 0.1 0.15 0.3", "background 0 0 0"));
+  ASSERT_EQ(run({"render", "black.sdf", "-o", "a.ppm"}).exit_code, 0);
+  const Outcome outcome = run({"diagnose", "room.sdf", "a.ppm"});
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.out << outcome.err;
+  EXPECT_TRUE(contains(outcome.out, "right, with habits")) << outcome.out;
+  EXPECT_TRUE(contains(outcome.out, "habit: Where nothing is hit, it is black. (0 0 0)")) << outcome.out;
+  const Json json = json_of({"diagnose", "room.sdf", "a.ppm", "--json", "-"});
+  EXPECT_TRUE(json["faults"].empty()) << json;
+  EXPECT_EQ(json["habits"][0]["id"], "background") << json;
+  EXPECT_EQ(json["certain"]["camera"], "right") << json;
+}
+
+TEST_F(DiagnoseCommand, ACameraIsRightThoughTheColoursAreNot) {
+  workplace_.file("room.sdf", room_scene);
+  workplace_.file("other.sdf", replaced(room_scene, "define light key 4 6 2 1 1 1 1",
+                                        "define light key -5 1 3 0.6 0.9 0.7 1"));
+  ASSERT_EQ(run({"render", "other.sdf", "-o", "a.ppm"}).exit_code, 0);
+  const Outcome outcome = run({"diagnose", "room.sdf", "a.ppm"});
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.out << outcome.err;
+  EXPECT_TRUE(contains(outcome.out, "camera: right")) << outcome.out;
+  EXPECT_TRUE(json_of({"diagnose", "room.sdf", "a.ppm", "--json", "-"})["faults"].empty());
+}
+
 TEST_F(DiagnoseCommand, WhatIsNearlyRightIsCountedAndNamed) {
   workplace_.file("with.sdf", replaced(ball_scene, "define light",
                                        "define shape sphere tiny 0.9 0.7 -2.6 0.09 red\ndefine light"));

@@ -1,0 +1,145 @@
+// The camera of a picture, told by where things are. Colours are changed on purpose.
+#include "references/diagnosis/geometry.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "references/diagnosis/diagnosis.hpp"
+#include "tracer/format/reader.hpp"
+
+namespace plumb::references {
+namespace {
+
+constexpr const char* room = R"(define material red 0.4 0.1 0.1 0.6 0.2 0.1 0.3 0.2 0.1 20
+define material green 0.1 0.3 0.1 0.2 0.6 0.1 0.2 0.3 0.1 30
+define material blue 0.1 0.1 0.4 0.1 0.2 0.6 0.1 0.2 0.3 20
+define shape sphere ball -1 0.2 -5 1 red
+define shape sphere small 1.3 1 -6 0.6 green
+define shape box block 0.4 -1 -5.5 1.4 0 -4.5 blue
+define shape box floor -3 -1.6 -8 2.5 -1.2 -3 green
+define light key 4 6 2 1 1 1 1
+ambient 0.2 0.2 0.2
+background 0.1 0.15 0.3
+define camera eye 50
+rotate eye 12 0 1 0.3
+translate eye 0.6 0.4 0.5
+render eye out.ppm 150 100
+)";
+constexpr const char* another = R"(define material grey 0.4 0.4 0.4 0.5 0.5 0.5 0.3 0.3 0.3 20
+define shape sphere a 0.3 1.4 -4 0.5 grey
+define shape sphere b -1.6 -1 -4 0.4 grey
+define light key -4 6 2 1 1 1 1
+ambient 0.3 0.3 0.3
+background 0.6 0.5 0.3
+define camera eye 60
+render eye out.ppm 150 100
+)";
+
+textbook::RenderJob job() {
+  textbook::RenderJob job;
+  job.width = 150;
+  job.height = 100;
+  job.threads = 1;
+  return job;
+}
+
+ImageFile picture_of(const Scene& scene, const std::vector<const Fault*>& faults) {
+  const Image image = render_with(scene, scene.cameras.front(), job(), faults);
+  ImageFile file{image.width, image.height, 3, Sample::bits8, {}, {}};
+  for (const float value : image.rgb)
+    file.values.push_back(std::floor(255 * std::clamp(value, 0.0F, 1.0F)) / 255);
+  return file;
+}
+
+/// The room by a tracer that has a black background, half the light and no highlights.
+Scene in_other_colours(Scene scene) {
+  scene.background = Rgbd(0);
+  for (Light& light : scene.lights) light.brightness *= 0.5;
+  for (Material& material : scene.materials) material.ks = Rgbd(0);
+  return scene;
+}
+
+bool names(const CameraFound& camera, const Fault* fault) {
+  for (std::size_t i = 0; i < camera.faults.size(); ++i) {
+    const auto& alike = camera.alike[i];
+    if (camera.faults[i] == fault || std::find(alike.begin(), alike.end(), fault) != alike.end()) return true;
+  }
+  return false;
+}
+
+class GeometryOf : public testing::TestWithParam<const char*> {};
+
+TEST_P(GeometryOf, TheFaultIsNamedWhateverTheColours) {
+  const Scene scene = read_scene(room).scene;
+  const std::string id = GetParam();
+  const Fault* const fault = find_fault(id) != nullptr ? find_fault(id) : find_camera_family(id);
+  ASSERT_NE(fault, nullptr);
+  const auto found =
+      geometry_of(scene, scene.cameras.front(), job(), picture_of(in_other_colours(scene), {fault}));
+  ASSERT_TRUE(found);
+  EXPECT_FALSE(found->camera.is_right);
+  EXPECT_TRUE(names(found->camera, fault));
+  EXPECT_EQ(found->camera.faults.size(), 1U);
+  EXPECT_GT(found->camera.pixels, 0U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Faults, GeometryOf,
+                         testing::Values("full-angle-as-half", "aspect-ignored", "field-of-view-vertical",
+                                         "field-of-view-fixed", "half-angle-in-the-numerator",
+                                         "aspect-in-whole-numbers", "camera-transform-ignored", "upside-down",
+                                         "left-right-swapped"),
+                         [](const auto& info) {
+                           std::string name = info.param;
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
+
+TEST(Geometry, TwoFaultsAreNamedTogether) {
+  const Scene scene = read_scene(room).scene;
+  const Fault* const field = find_fault("full-angle-as-half");
+  const Fault* const aspect = find_fault("aspect-ignored");
+  const auto found =
+      geometry_of(scene, scene.cameras.front(), job(), picture_of(in_other_colours(scene), {field, aspect}));
+  ASSERT_TRUE(found);
+  EXPECT_TRUE(names(found->camera, field));
+  EXPECT_TRUE(names(found->camera, aspect));
+}
+
+TEST(Geometry, ARightCameraIsRightWhateverTheColours) {
+  const Scene scene = read_scene(room).scene;
+  const auto found =
+      geometry_of(scene, scene.cameras.front(), job(), picture_of(in_other_colours(scene), {}));
+  ASSERT_TRUE(found);
+  EXPECT_TRUE(found->camera.is_right);
+  EXPECT_TRUE(found->camera.faults.empty());
+  ASSERT_TRUE(found->background);
+  EXPECT_EQ(found->background->colour, Rgbd(0));
+}
+
+TEST(Geometry, AnotherScenesPictureAccusesNobody) {
+  const Scene scene = read_scene(room).scene;
+  const auto found =
+      geometry_of(scene, scene.cameras.front(), job(), picture_of(read_scene(another).scene, {}));
+  if (!found) return;
+  EXPECT_TRUE(found->camera.faults.empty());
+  EXPECT_FALSE(found->camera.is_right);
+}
+
+TEST(Geometry, AFaultOfTheCameraIsNamedBesideColoursThatNothingExplains) {
+  const Scene scene = read_scene(room).scene;
+  const Fault* const aspect = find_fault("aspect-ignored");
+  const Diagnosis found =
+      diagnose(scene, scene.cameras.front(), job(), picture_of(in_other_colours(scene), {aspect}));
+  EXPECT_EQ(found.verdict, PictureVerdict::faults);
+  ASSERT_EQ(found.faults.size(), 1U);
+  EXPECT_EQ(found.faults.front().fault, aspect);
+  EXPECT_FALSE(found.explains_all());
+  EXPECT_EQ(found.camera, Certainty::wrong);
+  ASSERT_EQ(found.habits.size(), 1U);
+  EXPECT_EQ(found.habits.front().id, "background");
+}
+
+}  // namespace
+}  // namespace plumb::references
