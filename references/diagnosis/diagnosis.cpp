@@ -30,6 +30,7 @@ constexpr double most_apart = 0.05;
 void set_remaining(const std::vector<float>& differences, const std::vector<std::size_t>& pixels,
                    Diagnosis& diagnosis) {
   double squares = 0;
+  diagnosis.pixels_over = 0;
   for (const float d : differences) squares += double{d} * d;
   for (const std::size_t pixel : pixels) diagnosis.pixels_over += differences[pixel] <= close ? 0 : 1;
   diagnosis.rms = std::sqrt(squares / static_cast<double>(differences.size())) / 255;
@@ -370,14 +371,16 @@ class ByGeometry {
     const std::size_t stride = std::max<std::size_t>(1, evidence.survey().size() / pixels);
     for (std::size_t i = 0; i < evidence.survey().size(); i += stride) places.push_back(evidence.survey()[i]);
     evidence.look_at(places);
-    return evidence.fit(in_catalogue(geometry_.camera.faults), places.size()).misfit;
+    return evidence.fit(set_of(geometry_.camera.faults), places.size()).misfit;
   }
 
-  static FaultSet in_catalogue(const std::vector<const Fault*>& faults) {
+  static FaultSet set_of(const std::vector<const Fault*>& faults) {
+    const auto& formulas = fault_catalogue();
     FaultSet set;
-    const auto& all = fault_catalogue();
     for (const Fault* fault : faults) {
-      if (find_fault(fault->id) == fault) set.push_back(static_cast<std::size_t>(fault - all.data()));
+      const bool is_family = find_camera_family(fault->id) == fault;
+      const auto& list = is_family ? camera_families() : formulas;
+      set.push_back(static_cast<std::size_t>(fault - list.data()) + (is_family ? formulas.size() : 0));
     }
     std::sort(set.begin(), set.end());
     return set;
@@ -417,12 +420,16 @@ class ByGeometry {
     }
     if (d.faults.empty()) return;
     d.verdict = PictureVerdict::faults;
-    const FaultSet set = in_catalogue(camera.faults);
-    if (set.size() != camera.faults.size()) return;
+    const FaultSet set = set_of(camera.faults);
     Evidence evidence(scene, evidence_.camera(), evidence_.job(), seen_, tolerance_);
     const Remains left = remains_of(evidence, set);
+    d.explained = 1 - static_cast<double>(left.pixels.size()) /
+                          static_cast<double>(std::max<std::size_t>(1, d.unexplained_pixels));
+    d.explained = std::max(0.0, d.explained);
+    d.edges = left.edges;
     d.unexplained_pixels = left.pixels.size();
     d.encoding = left.encoding;
+    set_remaining(evidence.differences({set, left.encoding, 0, 0}), left.pixels, d);
   }
 
   const Evidence& evidence_;

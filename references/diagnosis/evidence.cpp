@@ -75,8 +75,10 @@ double xi(const std::vector<float>& x, const std::vector<float>& y) {
 }  // namespace
 
 std::vector<const Fault*> faults_of(const FaultSet& set) {
+  const std::size_t formulas = fault_catalogue().size();
   std::vector<const Fault*> faults;
-  for (const std::size_t index : set) faults.push_back(&fault_catalogue()[index]);
+  for (const std::size_t fault : set)
+    faults.push_back(fault < formulas ? &fault_catalogue()[fault] : &camera_families()[fault - formulas]);
   return faults;
 }
 

@@ -13,7 +13,7 @@
 
 namespace plumb::references {
 
-/// Faults as ascending indices into the catalogue, each once.
+/// Faults as ascending indices into the catalogue, each once. Those of camera_families() come after it.
 using FaultSet = std::vector<std::size_t>;
 
 std::vector<const Fault*> faults_of(const FaultSet& set);

@@ -23,8 +23,8 @@ define light key 4 6 2 1 1 1 1
 ambient 0.2 0.2 0.2
 background 0.1 0.15 0.3
 define camera eye 50
-rotate eye 12 0 1 0.3
-translate eye 0.6 0.4 0.5
+transform eye rotate 12 0 1 0.3
+transform eye translate 0.6 0.4 0.5
 render eye out.ppm 150 100
 )";
 constexpr const char* another = R"(define material grey 0.4 0.4 0.4 0.5 0.5 0.5 0.3 0.3 0.3 20
@@ -87,11 +87,11 @@ TEST_P(GeometryOf, TheFaultIsNamedWhateverTheColours) {
 
 INSTANTIATE_TEST_SUITE_P(Faults, GeometryOf,
                          testing::Values("full-angle-as-half", "aspect-ignored", "field-of-view-vertical",
-                                         "field-of-view-fixed", "half-angle-in-the-numerator",
+                                         "field-of-view-fixed", "focal-length-of-its-own",
                                          "aspect-in-whole-numbers", "camera-transform-ignored", "upside-down",
                                          "left-right-swapped"),
-                         [](const auto& info) {
-                           std::string name = info.param;
+                         [](const auto& of) {
+                           std::string name = of.param;
                            std::replace(name.begin(), name.end(), '-', '_');
                            return name;
                          });
