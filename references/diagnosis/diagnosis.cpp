@@ -139,11 +139,7 @@ class Diagnostician {
     return diagnosis_;
   }
 
-  /// These come after without_search().
-  Diagnosis without_faults() {
-    tell_without_faults();
-    return diagnosis_;
-  }
+  /// Comes after without_search().
   Diagnosis with_search(Evidence& evidence) {
     Fit fit = explain(evidence);
     if (fit.set.empty() || !are_faults(right_, fit)) tell_without_faults();
@@ -178,8 +174,8 @@ class Diagnostician {
     left = remains_of(evidence_, fit.set);
     if (!left.pixels.empty() && shows_nothing(evidence_, fit.set)) return false;
     const double wrong = static_cast<double>(right.pixels.size());
-    diagnosis_.explained = 1 - static_cast<double>(left.pixels.size()) / wrong;
-    if (diagnosis_.explained < enough_explained || told_share(right, left) < enough_that_tells) return false;
+    explained_ = 1 - static_cast<double>(left.pixels.size()) / wrong;
+    if (explained_ < enough_explained || told_share(right, left) < enough_that_tells) return false;
     if (!is_small_part(left.pixels.size())) return false;
     tell(PictureVerdict::faults, left, fit.set);
     fit.encoding = left.encoding;
@@ -234,7 +230,7 @@ class Diagnostician {
     const std::size_t index = fit.set[number];
     FoundFault found{&fault_catalogue()[index], 0, 0, alike(evidence_, fit, index)};
     found.pixels = std::max<std::size_t>(1, righted * diagnosis_.pixels / evidence_.survey().size());
-    found.confidence = diagnosis_.explained / static_cast<double>(1 + found.alike.size());
+    found.confidence = explained_ / static_cast<double>(1 + found.alike.size());
     diagnosis_.faults.push_back(found);
     diagnosis_.is_flipped |= found.fault->id == "upside-down";
   }
@@ -243,6 +239,7 @@ class Diagnostician {
   const ImageFile& seen_;
   Diagnosis diagnosis_;
   Remains right_;
+  double explained_ = 0;  ///< share of the pixels that are not right that the faults make right
 };
 
 /// Faults that change where things are.
@@ -267,32 +264,26 @@ class ByGeometry {
              Geometry geometry)
       : evidence_(evidence), seen_(seen), tolerance_(tolerance), geometry_(std::move(geometry)) {
     habit_ = background_of_its_own();
+    if (habit_) with_habit_ = with_background(habit_->value);
   }
 
   /// Returns what accounts for nearly all of the picture, when that takes another background.
   std::optional<Diagnosis> with_background_of_its_own() const {
     if (!habit_) return {};
-    const Scene other = with_background(habit_->value);
-    std::optional<Diagnosis> found = explained(other);
+    std::optional<Diagnosis> found = explained(*with_habit_);
     if (!found) return {};
     if (found->verdict == PictureVerdict::right) found->verdict = PictureVerdict::right_apart;
     add_what_is_certain(*found);
     return found;
   }
 
-  /// True if no fault of a formula gives what is seen where nothing is hit: black, or the ambient light. Then
-  /// a search in the scene as it is finds nothing.
-  bool has_a_known_background() const { return habit_ && is_known_; }
-
   /// Adds what is certain to what the colours told, and takes out what contradicts it.
   Diagnosis completed(Diagnosis by_colours) const {
-    if (by_colours.verdict == PictureVerdict::faults && by_colours.explains_all()) return by_colours;
-    if (by_colours.verdict == PictureVerdict::right_apart) return by_colours;
     add_what_is_certain(by_colours);
     const bool is_sure = std::none_of(by_colours.faults.begin(), by_colours.faults.end(),
                                       [&](const FoundFault& f) { return is_doubtful(f, by_colours); });
-    if (!agrees(by_colours) || !is_sure)
-      name_the_camera(by_colours, habit_ ? with_background(habit_->value) : evidence_.scene());
+    const bool only_habit_is_known = habit_ && by_colours.faults.empty();
+    if (!agrees(by_colours) || !is_sure || only_habit_is_known) name_the_camera(by_colours);
     return by_colours;
   }
 
@@ -327,8 +318,9 @@ class ByGeometry {
   }
 
   /// Returns the remark when no encoding makes the scene's background of what is seen where nothing is hit.
-  std::optional<Habit> background_of_its_own() {
-    if (!geometry_.background) return {};
+  std::optional<Habit> background_of_its_own() const {
+    const bool is_camera_known = geometry_.camera.is_right || !geometry_.camera.faults.empty();
+    if (!geometry_.background || !is_camera_known) return {};
     const Rgbd seen = geometry_.background->colour;
     const auto is_near = [&](const Rgbd& colour, const OutputEncoding& encoding) {
       constexpr double two_levels = 2;  // because a tracer rounds as it likes
@@ -344,14 +336,11 @@ class ByGeometry {
     };
     if (is_near_in_any(evidence_.scene().background)) return {};
     const Rgbd ambient = evidence_.scene().ambient;
-    const auto known = [&](const char* what) {
-      is_known_ = true;
-      return Habit{"background", std::string("Where nothing is hit, it ") + what + ".", seen};
-    };
-    if (seen == Rgbd(0)) return known("is black");
-    if (is_near(ambient, {})) return known("shows the ambient light");
-    if (is_near(ambient / (1.0 + ambient), {})) return known("shows the ambient light, tone-mapped");
-    return Habit{"background", "Where nothing is hit, it shows a colour of its own.", seen};
+    const char* const what = seen == Rgbd(0)                          ? "is black"
+                             : is_near(ambient, {})                   ? "shows the ambient light"
+                             : is_near(ambient / (1.0 + ambient), {}) ? "shows the ambient light, tone-mapped"
+                                                                      : "shows a colour of its own";
+    return Habit{"background", std::string("Where nothing is hit, it ") + what + ".", seen};
   }
 
   /// The scene whose right picture has this colour where nothing is hit: tone-mapped or not, as it fits
@@ -402,30 +391,24 @@ class ByGeometry {
     return found;
   }
 
-  /// Names what the geometry shows, and nothing of what contradicts it.
-  void name_the_camera(Diagnosis& d, const Scene& scene) const {
-    // Measured on pictures of the own scenes with faults of the camera and of the light, other backgrounds,
-    // gains and tone maps: none was named that was not there.
+  /// Names what the geometry shows and nothing else, and counts what remains beside it and the habit.
+  void name_the_camera(Diagnosis& d) const {
+    // Below 1, because where things are tells less than the colour of every pixel.
     constexpr double confidence = 0.95;
-    d.faults.clear();
-    d.explained = 0;
-    d.is_flipped = false;
-    d.verdict = PictureVerdict::unexplained;
     const CameraFound& camera = geometry_.camera;
+    d.faults.clear();
+    d.is_flipped = false;
     for (std::size_t i = 0; i < camera.faults.size(); ++i) {
       const double shared = static_cast<double>(1 + camera.alike[i].size());
       d.faults.push_back(
           {camera.faults[i], confidence / shared, std::max<std::size_t>(1, camera.pixels), camera.alike[i]});
       d.is_flipped |= camera.faults[i]->id == "upside-down";
     }
-    if (d.faults.empty()) return;
-    d.verdict = PictureVerdict::faults;
+    d.verdict = d.faults.empty() ? PictureVerdict::unexplained : PictureVerdict::faults;
     const FaultSet set = set_of(camera.faults);
+    const Scene& scene = with_habit_ ? *with_habit_ : evidence_.scene();
     Evidence evidence(scene, evidence_.camera(), evidence_.job(), seen_, tolerance_);
     const Remains left = remains_of(evidence, set);
-    d.explained = 1 - static_cast<double>(left.pixels.size()) /
-                          static_cast<double>(std::max<std::size_t>(1, d.unexplained_pixels));
-    d.explained = std::max(0.0, d.explained);
     d.edges = left.edges;
     d.unexplained_pixels = left.pixels.size();
     d.encoding = left.encoding;
@@ -437,7 +420,7 @@ class ByGeometry {
   std::optional<double> tolerance_;
   Geometry geometry_;
   std::optional<Habit> habit_;
-  bool is_known_ = false;  ///< with a habit: its colour is black or the ambient light's
+  std::optional<Scene> with_habit_;  ///< the scene whose background is as the habit shows it
 };
 
 std::string count_text(std::size_t count, std::size_t of) {
@@ -504,12 +487,15 @@ Diagnosis diagnose(const Scene& scene, const Camera& camera, const textbook::Ren
   Evidence evidence(scene, camera, job, seen, tolerance);
   Diagnostician diagnostician(evidence, seen);
   if (auto simple = diagnostician.without_search()) return *simple;
+  Diagnosis by_colours = diagnostician.with_search(evidence);
+  const bool is_told = by_colours.verdict == PictureVerdict::right_apart ||
+                       (by_colours.verdict == PictureVerdict::faults && by_colours.explains_all());
+  if (is_told) return by_colours;
   auto geometry = geometry_of(scene, camera, job, seen);
-  if (!geometry) return diagnostician.with_search(evidence);
+  if (!geometry) return by_colours;
   const ByGeometry by_geometry(evidence, seen, tolerance, std::move(*geometry));
   if (auto found = by_geometry.with_background_of_its_own()) return *found;
-  return by_geometry.completed(by_geometry.has_a_known_background() ? diagnostician.without_faults()
-                                                                    : diagnostician.with_search(evidence));
+  return by_geometry.completed(std::move(by_colours));
 }
 
 std::string summary_of(const Diagnosis& diagnosis) {

@@ -21,7 +21,9 @@ const char* to_string(PictureVerdict verdict);
 struct FoundFault {
   const Fault* fault;  ///< of fault_catalogue() or camera_families()
   double confidence;   ///< 0 to 1: the share explained, divided among the faults that cannot be told apart
-  std::size_t pixels;  ///< number that are right with it and not without it; never 0
+  /// Number that are right with it and not without it; of a fault that the geometry tells, number that show
+  /// another surface than with the right camera. Never 0.
+  std::size_t pixels;
   std::vector<const Fault*> alike;  ///< faults that give the same picture of this scene in its place
 };
 
@@ -52,9 +54,8 @@ struct Diagnosis {
   std::size_t edges = 0;        ///< number that are right because they are proven to lie on an edge
   /// Number of pixels that the picture with the faults found, or the right one, does not account for.
   std::size_t unexplained_pixels = 0;
-  double explained = 0;           ///< share of the pixels that are not right that the faults make right
   bool is_of_one_colour = false;  ///< true if it is not right and of one colour, which tells nothing
-  std::vector<Habit> habits{};    ///< with these the rest is accounted for, or stays unexplained
+  std::vector<Habit> habits{};    ///< pixels that these account for are not counted as unexplained
   Certainty camera = Certainty::unknown;
   std::vector<ShapeSeen> shapes{};  ///< with right_apart: what these pixels should show, the most first
 

@@ -350,22 +350,22 @@ const Fault* in_place_of(const Fault* fault, const std::vector<const Fault*>& fa
 CameraFound found_among(const std::vector<Candidate>& all) {
   const Candidate& best = all.front();
   CameraFound found;
-  found.agreement = best.agreement;
   const auto about_as_good = [&](const Candidate& c) { return c.agreement > best.agreement - least_lead; };
   found.faults = best.faults;
   for (const Candidate& other : all) {
     if (!about_as_good(other)) break;
     std::erase_if(found.faults, [&](const Fault* fault) { return !has(other.faults, fault); });
   }
+  double lead = 0;
   found.is_right = best.faults.empty() && (all.size() < 2 || !about_as_good(all[1]));
   for (const Candidate& other : all) {
     const bool has_them = std::all_of(found.faults.begin(), found.faults.end(),
                                       [&](const Fault* f) { return has(other.faults, f); });
     if (&other == &best || (has_them && !found.faults.empty())) continue;
-    found.lead = best.agreement - other.agreement;
+    lead = best.agreement - other.agreement;
     break;
   }
-  if (found.lead < least_lead_of_a_fault) found.faults.clear();
+  if (lead < least_lead_of_a_fault) found.faults.clear();
   for (const Fault* fault : found.faults) {
     std::vector<const Fault*> alike;
     for (const auto& others : best.same) {

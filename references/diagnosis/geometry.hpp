@@ -18,8 +18,6 @@ struct CameraFound {
   std::vector<std::vector<const Fault*>> alike;
   bool is_right = false;   ///< true if the right camera agrees best, and no other about as well
   std::size_t pixels = 0;  ///< number that show another surface than with the right camera
-  double agreement = 0;    ///< 0 to 1, of the best camera
-  double lead = 0;         ///< by how much it agrees better than the next one without these faults
 };
 
 /// Where nothing is hit: the one colour that the picture has there.

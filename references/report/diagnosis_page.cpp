@@ -34,8 +34,7 @@ std::string pictures_of(const Diagnosed& d) {
 
 std::string figures_of(const FoundFault& found) {
   char text[96];
-  std::snprintf(text, sizeof text, "confidence %.2f, %zu pixels are right with it and not without",
-                found.confidence, found.pixels);
+  std::snprintf(text, sizeof text, "confidence %.2f, %zu pixels tell of it", found.confidence, found.pixels);
   std::string words(text);
   if (!found.alike.empty())
     words += "; so many other mistakes give the same picture here: " + std::to_string(found.alike.size());
@@ -71,6 +70,15 @@ std::string settled_by(const TellApart& group) {
   return section("What this picture leaves open", html::element("p", "", text + "."));
 }
 
+/// What is certain beside the mistakes, and what is none.
+std::string certain_of(const Diagnosis& found) {
+  std::string text;
+  if (found.camera == Certainty::right) text += html::paragraph("The camera is right.");
+  for (const Habit& habit : found.habits)
+    text += html::paragraph(habit.title + " That is no mistake of a formula.");
+  return text;
+}
+
 /// What was found, in one sentence.
 std::string conclusion_of_diagnosis(const Diagnosed& d) {
   const Diagnosis& found = d.diagnosis;
@@ -89,7 +97,7 @@ std::string conclusion_of_diagnosis(const Diagnosed& d) {
 void write_diagnosis(const std::string& directory, const Diagnosed& d, int hint) {
   std::string body = html::paragraph(d.diagnosis.encoding.in_words(), "muted");
   if (!d.not_looked_at.empty()) body += html::paragraph("Not looked at: " + d.not_looked_at + ".");
-  body += pictures_of(d);
+  body += certain_of(d.diagnosis) + pictures_of(d);
   if (d.diagnosis.verdict == PictureVerdict::faults) {
     for (const FoundFault& found : d.diagnosis.faults) body += told(found, hint);
     for (const TellApart& group : d.tell_apart) body += hint == 3 ? settled_by(group) : "";

@@ -89,7 +89,6 @@ Json record_of(const Diagnosis& diagnosis) {
           {"non_finite", diagnosis.non_finite},
           {"edges", diagnosis.edges},
           {"unexplained_pixels", diagnosis.unexplained_pixels},
-          {"explained", diagnosis.explained},
           {"is_of_one_colour", diagnosis.is_of_one_colour},
           {"habits", habits},
           {"camera", static_cast<int>(diagnosis.camera)},
@@ -108,7 +107,6 @@ Diagnosis diagnosis_of(const Json& json) {
   diagnosis.non_finite = json.at("non_finite");
   diagnosis.edges = json.at("edges");
   diagnosis.unexplained_pixels = json.at("unexplained_pixels");
-  diagnosis.explained = real_of(json.at("explained"));
   diagnosis.is_of_one_colour = json.at("is_of_one_colour");
   for (const Json& habit : json.at("habits")) diagnosis.habits.push_back(habit_of(habit));
   diagnosis.camera = static_cast<Certainty>(json.at("camera").get<int>());

@@ -95,8 +95,8 @@ class Experiment {
     const bool abstains = found.verdict == references::PictureVerdict::unexplained;
     tally.verdicts += abstains ? 1 : 0;
     if (!options_.is_told) return;
-    std::fprintf(stderr, "another scene, seed %u: %s, explained %.3f:", seed, to_string(found.verdict),
-                 found.explained);
+    std::fprintf(stderr, "another scene, seed %u: %s, %zu pixels unexplained:", seed,
+                 to_string(found.verdict), found.unexplained_pixels);
     for (const FoundFault& f : found.faults) std::fprintf(stderr, " %s(%zu)", f.fault->id.data(), f.pixels);
     std::fprintf(stderr, ", %zu pixels over\n", found.pixels_over);
   }

@@ -1,0 +1,22 @@
+// A scene in which edges and regions tell the camera.
+#pragma once
+
+namespace plumb::tests {
+
+inline constexpr const char* room_scene = R"(define material red 0.4 0.1 0.1 0.6 0.2 0.1 0.3 0.2 0.1 20
+define material green 0.1 0.3 0.1 0.2 0.6 0.1 0.2 0.3 0.1 30
+define material blue 0.1 0.1 0.4 0.1 0.2 0.6 0.1 0.2 0.3 20
+define shape sphere ball -1 0.2 -5 1 red
+define shape sphere small 1.3 1 -6 0.6 green
+define shape box block 0.4 -1 -5.5 1.4 0 -4.5 blue
+define shape box floor -3 -1.6 -8 2.5 -1.2 -3 green
+define light key 4 6 2 1 1 1 1
+ambient 0.2 0.2 0.2
+background 0.1 0.15 0.3
+define camera eye 50
+transform eye rotate 12 0 1 0.3
+transform eye translate 0.6 0.4 0.5
+render eye out.ppm 150 100
+)";
+
+}  // namespace plumb::tests
