@@ -159,7 +159,7 @@ std::vector<Fault> of_the_pose() {
 
 }  // namespace
 
-std::vector<Fault> families_of_the_camera() {
+std::vector<Fault> families_of_the_image_plane() {
   return {
       {"field-of-view-fixed", 5, "Kameramodell", "The field of view is 90 degrees, whatever the scene says.",
        "d = 0.5", "d = 0.5 / tan(fov / 2)", "among 6 of 42", "camera-model.sdf",
@@ -168,6 +168,15 @@ std::vector<Fault> families_of_the_camera() {
        "The distance of the image plane is a formula of its own.", "d = (180 - fov) / fov / 2",
        "d = 0.5 / tan(fov / 2)", "among 6 of 26", "camera-model.sdf",
        [](Subject& s) { s.formulas.image_plane_distance = [](double fov) { return (180 - fov) / fov / 2; }; },
+       nullptr},
+      {"image-plane-of-its-own", 40, "Kameramodell",
+       "The distance of the image plane is a formula of its own, and its height is 1.",
+       "d = (180 - fov) / fov / 2, y' = y / h - 0.5", "d = 0.5 / tan(fov / 2), y' = (y / h - 0.5) h / w",
+       "among 6 of 26", "camera-model.sdf",
+       [](Subject& s) {
+         s.formulas.image_plane_distance = [](double fov) { return (180 - fov) / fov / 2; };
+         take_aspect(s, Aspect::vertical);
+       },
        nullptr},
       {"half-angle-in-the-numerator", 40, "Kameramodell", "The image plane is twice as far away.",
        "d = 1 / tan(fov / 2)", "d = 0.5 / tan(fov / 2)", "among 6 of 26", "camera-model.sdf",
@@ -188,6 +197,19 @@ std::vector<Fault> families_of_the_camera() {
        "d = 0.5 / tan(fov pi / 360)", "among 9 of 42", "camera-model.sdf",
        [](Subject& s) {
          s.formulas.image_plane_distance = [](double fov) { return 0.5 / std::abs(std::tan(fov)); };
+       },
+       nullptr},
+      {"camera-axes-not-normalised", 6, "Kameratransformation",
+       "u and v keep the lengths of their cross products, which scales the picture.", "u = n x up, v = u x n",
+       "u = (n x up) / |n x up|, v = u x n", "not counted", "camera-transform.sdf",
+       [](Subject& s) {
+         s.formulas.camera_matrix = [](const Vec3d& eye, const Vec3d& direction, const Vec3d& up) {
+           const double length = glm::length(glm::cross(glm::normalize(direction), up));
+           Mat4<double> matrix = formulas::camera_matrix(eye, direction, up);
+           matrix[0] *= length;
+           matrix[1] *= length;
+           return matrix;
+         };
        },
        nullptr},
       {"aspect-in-whole-numbers", 43, "Kameramodell",

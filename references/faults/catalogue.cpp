@@ -13,7 +13,7 @@ std::vector<Fault> all_faults() {
   std::vector<Fault> all;
   for (const auto area : {&faults::of_the_camera, &faults::of_the_lighting, &faults::of_the_lights,
                           &faults::of_the_shadows, &faults::of_the_transforms, &faults::of_the_shapes,
-                          &faults::of_the_recursion, &faults::of_the_output}) {
+                          &faults::of_the_recursion, &faults::of_the_output, &faults::of_what_is_missing}) {
     std::ranges::move(area(), std::back_inserter(all));
   }
   return all;
@@ -23,14 +23,14 @@ Subject subject_with(const Scene& scene, const Camera& camera, const textbook::R
                      const std::vector<const Fault*>& faults) {
   Subject subject{scene, camera, job, {}};
   for (const Fault* fault : faults) {
-    if (fault->apply != nullptr) fault->apply(subject);
+    if (fault->apply) fault->apply(subject);
   }
   return subject;
 }
 
 void do_after(const std::vector<const Fault*>& faults, Image& image) {
   for (const Fault* fault : faults) {
-    if (fault->after != nullptr) fault->after(image);
+    if (fault->after) fault->after(image);
   }
 }
 
@@ -50,15 +50,24 @@ const Fault* find_fault(std::string_view id) {
   return found == all.end() ? nullptr : &*found;
 }
 
-const std::vector<Fault>& camera_families() {
-  static const std::vector<Fault> all = faults::families_of_the_camera();
+const std::vector<Fault>& geometry_families() {
+  static const std::vector<Fault> all = [] {
+    std::vector<Fault> both = faults::families_of_the_image_plane();
+    std::ranges::move(faults::families_of_the_transforms(), std::back_inserter(both));
+    return both;
+  }();
   return all;
 }
 
-const Fault* find_camera_family(std::string_view id) {
-  const auto& all = camera_families();
+const Fault* find_geometry_family(std::string_view id) {
+  const auto& all = geometry_families();
   const auto found = std::ranges::find(all, id, &Fault::id);
   return found == all.end() ? nullptr : &*found;
+}
+
+const std::vector<Fault>& shading_families() {
+  static const std::vector<Fault> all = faults::families_of_the_shading();
+  return all;
 }
 
 std::vector<float> colours_with(const Scene& scene, const Camera& camera, const textbook::RenderJob& job,
@@ -75,7 +84,7 @@ std::vector<float> colours_with(const Scene& scene, const Camera& camera, const 
       to[channel] = is_cut ? std::numeric_limits<float>::quiet_NaN() : static_cast<float>(colour[channel]);
   };
   std::vector<float> colours(3 * places.size());
-  if (std::ranges::all_of(faults, [](const Fault* fault) { return fault->after == nullptr; })) {
+  if (std::ranges::all_of(faults, [](const Fault* fault) { return !fault->after; })) {
     for (std::size_t i = 0; i < places.size(); ++i) trace(places[i], &colours[3 * i]);
     return colours;
   }

@@ -1,6 +1,8 @@
 // The mistakes that people make in their ray tracers. Each is one change of the textbook tracer.
 #pragma once
 
+#include <functional>
+#include <limits>
 #include <string_view>
 #include <vector>
 
@@ -24,16 +26,18 @@ struct Subject {
 /// One mistake. When two faults replace one formula, the later one counts. pixel-corner goes together with
 /// the faults of the aspect.
 struct Fault {
-  std::string_view id;           ///< lower case, words joined by -
-  int catalogue;                 ///< its number in the catalogue of faults of real tracers, 1 to 45
-  std::string_view slide;        ///< of the lecture; "Decision" where it is silent
-  std::string_view explanation;  ///< one sentence
-  std::string_view wrong;        ///< formula
-  std::string_view right;        ///< formula
-  std::string_view how_common;   ///< "38 of 42" of the tracers whose source was read
-  std::string_view shown_by;     ///< a scene of tests/scenes that it changes by much
-  void (*apply)(Subject&);       ///< changes a formula, or the scene before the render; may be null
-  void (*after)(Image&);         ///< changes the picture after the render; may be null
+  std::string_view id;                  ///< lower case, words joined by -
+  int catalogue;                        ///< its number in the catalogue of faults of real tracers, 1 to 45
+  std::string_view slide;               ///< of the lecture; "Decision" where it is silent
+  std::string_view explanation;         ///< one sentence
+  std::string_view wrong;               ///< formula
+  std::string_view right;               ///< formula
+  std::string_view how_common;          ///< "38 of 42" of the tracers whose source was read
+  std::string_view shown_by;            ///< a scene of tests/scenes that it changes by much
+  std::function<void(Subject&)> apply;  ///< changes a formula, or the scene before the render; may be empty
+  std::function<void(Image&)> after;    ///< changes the picture after the render; may be empty
+  /// Of a family, the constant of this member; else not a number.
+  double value = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// Returns all faults, in the order of the catalogue.
@@ -42,12 +46,16 @@ const std::vector<Fault>& fault_catalogue();
 /// Returns the fault of that id, or null.
 const Fault* find_fault(std::string_view id);
 
-/// Returns faults of the camera that stand for a family, e.g. a field of view that is always the same. They
-/// are told by the geometry of a picture alone; no search over formulas tries them.
-const std::vector<Fault>& camera_families();
+/// Returns faults of the camera and of transforms that stand for a family, e.g. a field of view that is
+/// always the same. They are told by the geometry of a picture alone; no search over formulas tries them.
+const std::vector<Fault>& geometry_families();
 
 /// Returns the family of that id, or null.
-const Fault* find_camera_family(std::string_view id);
+const Fault* find_geometry_family(std::string_view id);
+
+/// Returns faults of the shading that have a constant of the program in them, a member for each of its usual
+/// values. They have the id of the fault of the catalogue that stands for all of them, or one of their own.
+const std::vector<Fault>& shading_families();
 
 /// Renders with all these faults at once, in double whatever the job says. Without any it gives what render()
 /// gives. Colours may not be finite.

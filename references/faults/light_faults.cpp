@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "references/faults/areas.hpp"
+#include "tracer/scene/hierarchy.hpp"
 
 namespace plumb::references::faults {
 namespace {
@@ -13,6 +14,21 @@ void swap_ka_and_kd(Subject& s) {
 void keep_the_last_light(Subject& s) {
   auto& lights = s.scene.lights;
   if (lights.size() > 1) lights.erase(lights.begin(), lights.end() - 1);
+}
+
+/// Makes a copy of each light for each object, which alone can hide it.
+void light_once_per_object(Subject& s) {
+  std::uint64_t objects = 0;
+  const std::vector<std::uint64_t> counts = count_instances(s.scene);
+  for (const ShapeId root : s.scene.roots()) objects += counts[root];
+  constexpr std::uint64_t most_copies = 10'000;  // because a scene of millions of objects would not end
+  if (objects == 0 || objects * s.scene.lights.size() > most_copies) return;
+  std::vector<Light> copies;
+  for (const Light& light : s.scene.lights) copies.insert(copies.end(), objects, light);
+  s.scene.lights = std::move(copies);
+  s.formulas.may_block = [](const formulas::Blocking& objects_and_light) {
+    return objects_and_light.candidate == objects_and_light.light % (objects_and_light.last + 1);
+  };
 }
 
 void average_lights(Subject& s) {
@@ -28,6 +44,13 @@ std::vector<Fault> of_the_lights() {
        [](Subject& s) { s.scene.ambient *= static_cast<double>(s.scene.lights.size()); }, nullptr},
       {"ambient-hard-coded", 17, "Ambient", "The ambient light is a constant of the program.", "0.1 ka",
        "Ia ka", "3 of 42", "ambient.sdf", [](Subject& s) { s.scene.ambient = Rgbd(0.1); }, nullptr},
+      {"ambient-without-ka", 17, "Ambient",
+       "The ambient light is added as it is, whatever the material says.", "Ia", "Ia ka", "among 26",
+       "full-model.sdf",
+       [](Subject& s) {
+         s.formulas.ambient_light = [](const Rgbd& intensity, const Rgbd&) { return intensity; };
+       },
+       nullptr},
       {"background-as-ambient", 17, "Ambient", "The background's colour is used as the ambient light.",
        "background ka", "Ia ka", "1 of 42", "ambient.sdf",
        [](Subject& s) { s.scene.ambient = s.scene.background; }, nullptr},
@@ -57,6 +80,10 @@ std::vector<Fault> of_the_lights() {
            return intensity / (distance * distance);
          };
        },
+       nullptr},
+      {"light-once-per-object", 39, "Schatten",
+       "A light is added once for every object that does not hide it.", "sum over the objects of Ip ...",
+       "Ip ... once, when no object hides it", "2 of 17", "combined-still-life.sdf", &light_once_per_object,
        nullptr},
   };
 }

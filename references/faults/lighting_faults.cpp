@@ -110,6 +110,15 @@ std::vector<Fault> of_the_highlight() {
          };
        },
        nullptr},
+      {"specular-half-vector", 44, "Phong", "The half vector of Blinn takes the place of r.",
+       "(n.h)^m, h = (l + v) / |l + v|", "(r.v)^m", "1 of 26", "phong.sdf",
+       [](Subject& s) {
+         s.formulas.specular_factor = [](const Vec3d& r, const Vec3d& v, const Vec3d& l, double m) {
+           const Vec3d n = glm::normalize(r + l), h = glm::normalize(l + v);
+           return formulas::specular_factor(n, h, l, m);
+         };
+       },
+       nullptr},
       {"exponent-fixed", 13, "Phong", "The exponent is a constant, whatever the material says.", "(r.v)^20",
        "(r.v)^m", "1 of 42", "phong.sdf",
        [](Subject& s) {

@@ -62,6 +62,12 @@ std::vector<Fault> of_the_mirror() {
          }
        },
        nullptr},
+      {"every-object-mirrors", 42, "Spiegelung", "Everything mirrors, with ks as its weight.",
+       "local + ks R, for every material", "local + kr R", "10 of 26", "phong.sdf",
+       [](Subject& s) {
+         for (Material& material : s.scene.materials) material.mirror = material.ks;
+       },
+       nullptr},
       {"mirror-weight-mixed", 34, "Spiegelung", "The local colour is taken down where the mirror is put in.",
        "(1 - kr) local + kr R", "local + kr R", "not counted", "mirror.sdf",
        [](Subject& s) { s.formulas.combined_colour = &mixed; }, nullptr},

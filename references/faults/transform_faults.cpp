@@ -34,6 +34,16 @@ void only_about_unit_axes(Rotate& rotation) {
 
 void half_the_angle(Rotate& rotation) { rotation.degrees /= 2; }
 
+/// Turns the other way round about one of the axes of space.
+template <int axis>
+void other_sense(Rotate& rotation) {
+  Vec3d rest = rotation.axis;
+  rest[axis] = 0;
+  if (rest == Vec3d(0)) rotation.degrees = -rotation.degrees;
+}
+
+void other_sense_always(Rotate& rotation) { rotation.degrees = -rotation.degrees; }
+
 void degrees_as_radians(Rotate& rotation) { rotation.degrees *= 180 / std::numbers::pi; }
 
 Placed inverse_in_wrong_order(const Steps& steps) {
@@ -204,6 +214,22 @@ std::vector<Fault> of_the_matrices() {
 }
 
 }  // namespace
+
+std::vector<Fault> families_of_the_transforms() {
+  constexpr const char* wrong = "R(-angle)";
+  constexpr const char* right = "R(angle), counter-clockwise seen from the axis' end";
+  constexpr const char* common = "among 26";
+  return {
+      {"rotation-sense", 28, "Transformationen", "Every rotation turns the other way round.", wrong, right,
+       common, "rotate-axes.sdf", &take_transform<&with_rotations<&other_sense_always>>, nullptr},
+      {"rotation-sense-about-x", 28, "Transformationen", "A rotation about x turns the other way round.",
+       wrong, right, common, "rotate-axes.sdf", &take_transform<&with_rotations<&other_sense<0>>>, nullptr},
+      {"rotation-sense-about-y", 28, "Transformationen", "A rotation about y turns the other way round.",
+       wrong, right, common, "rotate-axes.sdf", &take_transform<&with_rotations<&other_sense<1>>>, nullptr},
+      {"rotation-sense-about-z", 28, "Transformationen", "A rotation about z turns the other way round.",
+       wrong, right, common, "rotate-axes.sdf", &take_transform<&with_rotations<&other_sense<2>>>, nullptr},
+  };
+}
 
 std::vector<Fault> of_the_transforms() {
   std::vector<Fault> all;

@@ -60,7 +60,10 @@ TEST(Faults, EveryEntryOfTheCatalogueIsThere) {
   std::set<int> entries;
   for (const Fault& f : fault_catalogue()) entries.insert(f.catalogue);
   for (int entry = 1; entry <= 37; ++entry) EXPECT_EQ(entries.count(entry), 1U) << entry;
-  EXPECT_EQ(entries.count(43), 1U);
+  for (const int entry : {38, 39, 42, 43, 44}) EXPECT_EQ(entries.count(entry), 1U) << entry;
+  std::set<int> of_families;
+  for (const Fault& f : geometry_families()) of_families.insert(f.catalogue);
+  EXPECT_EQ(of_families.count(40), 1U);
   EXPECT_GE(fault_catalogue().size(), 45U);
 }
 
@@ -72,6 +75,47 @@ TEST(Faults, EveryFaultSaysWhatItIs) {
     EXPECT_NE(f.wrong, f.right) << f.id;
     EXPECT_NE(f.apply != nullptr, f.after != nullptr) << f.id << " is one change, before or after the render";
   }
+}
+
+TEST(Faults, EveryMemberOfAFamilySaysWhatItIsAndIsSeen) {
+  std::set<std::string> members;
+  for (const auto* family : {&geometry_families(), &shading_families()}) {
+    for (const Fault& f : *family) {
+      const std::string name = std::string(f.id) + " " + std::to_string(f.value);
+      EXPECT_TRUE(members.insert(name).second) << name;
+      EXPECT_TRUE(f.explanation.ends_with(".")) << name;
+      EXPECT_NE(f.wrong, f.right) << name;
+      EXPECT_NE(f.apply != nullptr, f.after != nullptr) << name;
+      const Image right = rendered(std::string{f.shown_by}, {});
+      const Image wrong = rendered(std::string{f.shown_by}, {&f});
+      const bool is_the_scenes_own = right.rgb == wrong.rgb;
+      EXPECT_TRUE(!is_the_scenes_own || !std::isnan(f.value)) << name << " in " << f.shown_by;
+    }
+  }
+}
+
+TEST(Faults, ALightForEachObjectIsHiddenByThatObjectAlone) {
+  const std::string shadow = "shadow.sdf";
+  const Scene scene = scene_of(shadow);
+  const Image right = rendered(shadow, {}), each = rendered(shadow, {fault("light-once-per-object")});
+  const Image open = rendered(shadow, {fault("shadows-missing")});
+  const double objects = static_cast<double>(scene.roots().size());
+  ASSERT_GT(objects, 1);
+  const Image unlit = rendered(shadow, {fault("diffuse-missing"), fault("specular-missing")});
+  std::size_t lit = 0, hidden = 0;
+  for (std::size_t i = 0; i < right.rgb.size(); ++i) {
+    const double ambient = unlit.rgb[i];
+    const double light = double{open.rgb[i]} - ambient;
+    if (light < 1e-3) continue;
+    const bool is_lit = std::abs(double{right.rgb[i]} - double{open.rgb[i]}) < 1e-6;
+    const double times = (double{each.rgb[i]} - ambient) / light;
+    EXPECT_NEAR(times, std::round(times), 1e-3);
+    EXPECT_EQ(std::lround(times) == std::lround(objects), is_lit);
+    EXPECT_LE(std::lround(times), std::lround(objects));
+    (is_lit ? lit : hidden) += 1;
+  }
+  EXPECT_GT(lit, 100U);
+  EXPECT_GT(hidden, 20U);
 }
 
 TEST(Faults, EveryFaultIsSeenInTheSceneThatItNames) {

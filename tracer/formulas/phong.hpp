@@ -129,6 +129,7 @@ struct Blocking {
   std::uint64_t candidate;
   std::uint64_t lit;   ///< the object that is to be lit
   std::uint64_t last;  ///< the largest number of all
+  std::uint64_t light;  ///< the number of the light
 };
 
 /// Slide "Schatten": ANY object may block the light, the lit one too.

@@ -66,13 +66,14 @@ struct Query {
   Real light_distance = 0;        ///< from the start of a shadow ray
   InstanceId lit = no_instance;   ///< the instance that a shadow ray comes from
   InstanceId last = no_instance;  ///< the last instance of the world
+  std::size_t light = 0;          ///< the number of the light that a shadow ray goes to
 
   /// True if a hit counts and comes before the nearest so far. Two hits that rounding cannot tell apart are
   /// one place. The first in the order of the file is taken there, so coincident surfaces are crossed once.
   bool is_nearer(const Ray<Real>& ray, InstanceId self, Real t, Real nearest) const {
     return formulas->is_ahead(t, ray.t_min) && formulas->is_nearer(t, nearest, formulas::one_place(ray, t)) &&
            (!is_shadow_ray ||
-            (formulas->blocks_light(t, light_distance) && formulas->may_block({self, lit, last})));
+            (formulas->blocks_light(t, light_distance) && formulas->may_block({self, lit, last, light})));
   }
 };
 

@@ -131,7 +131,7 @@ class Tracer {
     if (seen.counts) {
       auto shadow = f_->shadow_ray(point, n, to_light, light.position);
       shadow.ray.t_min = found_by.t_min;
-      seen.delta = visibility(shadow, hit.surface, seen.blocker);
+      seen.delta = visibility(index, shadow, hit.surface, seen.blocker);
       if (seen.delta != Rgb<Real>(0)) {
         const Vec3<Real> v = f_->toward_viewer({found_by.direction, point, eye_});
         const Vec3<Real>& l = to_light.direction;
@@ -147,12 +147,13 @@ class Tracer {
 
   /// Slide "Schatten": 0 where an object lies strictly between point and light, else 1. The options decide on
   /// glass.
-  Rgb<Real> visibility(const formulas::ShadowRay<Real>& shadow, SurfaceId lit, Hit<Real>& blocker) const {
+  Rgb<Real> visibility(std::size_t light, const formulas::ShadowRay<Real>& shadow, SurfaceId lit,
+                       Hit<Real>& blocker) const {
     if (!options_.shadows) return Rgb<Real>(1);
     const SurfaceId start = shadow.knows_its_surface ? lit : SurfaceId{};
     if (options_.glass_shadow != GlassShadow::full)
       return visibility_through_glass(shadow.ray, start, shadow.light_distance, blocker);
-    blocker = world_.blocker(shadow.ray, start, shadow.light_distance, lit.instance);
+    blocker = world_.blocker(shadow.ray, start, shadow.light_distance, lit.instance, light);
     return Rgb<Real>(blocker.surface.instance == no_instance ? 1 : 0);
   }
 

@@ -68,11 +68,12 @@ class World {
 
   /// Returns any object that blocks a light at `light_distance` along the ray of unit direction, which comes
   /// from the instance `lit`. The hit is of no instance when none does.
-  Hit<Real> blocker(const Ray<Real>& ray, SurfaceId start, Real light_distance, InstanceId lit) const {
+  Hit<Real> blocker(const Ray<Real>& ray, SurfaceId start, Real light_distance, InstanceId lit,
+                    std::size_t light) const {
     Hit<Real> found;
     Ray<Real> to_light = with_t_min(ray);
     to_light.t_known = before_light(ray, light_distance);
-    root_->intersect({formulas_, start, true, to_light.t_known, lit, instances() - 1}, to_light, 0, found);
+    root_->intersect({formulas_, start, true, to_light.t_known, lit, instances() - 1, light}, to_light, 0, found);
     return found;
   }
 
