@@ -117,7 +117,9 @@ void print_faults(const Options& options, const references::Diagnosis& d) {
 
 /// What is certain though not all is explained, and what is no mistake.
 void print_certain(const references::Diagnosis& d) {
-  if (d.camera == references::Certainty::right) std::printf("camera: right\n");
+  if (d.certain.camera == references::Certainty::right) std::printf("camera: right\n");
+  if (d.certain.shadows == references::Certainty::right) std::printf("shadows: right\n");
+  if (d.certain.shading == references::Certainty::right) std::printf("shading: right\n");
   for (const references::Habit& habit : d.habits)
     std::printf("habit: %s (%.3g %.3g %.3g)\n", habit.title.c_str(), habit.value.r, habit.value.g,
                 habit.value.b);
@@ -125,7 +127,7 @@ void print_certain(const references::Diagnosis& d) {
 
 /// Of another scene are pictures in which hardly anything is right.
 void print_unexplained(const Options& options, const references::Diagnosis& d) {
-  const bool is_other = 2 * d.pixels_over > d.pixels && d.camera == references::Certainty::unknown;
+  const bool is_other = 2 * d.pixels_over > d.pixels && d.certain.camera == references::Certainty::unknown;
   const std::string why = d.is_of_one_colour ? std::string("; ") + references::one_colour_tells_nothing
                           : is_other         ? "; is it a picture of this scene?"
                                              : "";

@@ -19,12 +19,13 @@ enum class PictureVerdict {
 const char* to_string(PictureVerdict verdict);
 
 struct FoundFault {
-  const Fault* fault;  ///< of fault_catalogue() or camera_families()
+  const Fault* fault;  ///< of fault_catalogue() or geometry_families()
   double confidence;   ///< 0 to 1: the share explained, divided among the faults that cannot be told apart
   /// Number that are right with it and not without it; of a fault that the geometry tells, number that show
   /// another surface than with the right camera. Never 0.
   std::size_t pixels;
   std::vector<const Fault*> alike;  ///< faults that give the same picture of this scene in its place
+  std::size_t changed = 0;          ///< number whose level is another without it
 };
 
 /// Something that a tracer does and that is no formula of the lecture: a remark, not a mistake.
@@ -34,8 +35,14 @@ struct Habit {
   Rgbd value;         ///< as the file has it, 0 to 1
 };
 
-/// What the places of edges and regions tell, whatever the colours are.
 enum class Certainty { unknown, right, wrong };
+
+/// What is known even if not all is explained.
+struct Certain {
+  Certainty camera = Certainty::unknown;   ///< where things are, whatever their colours
+  Certainty shadows = Certainty::unknown;  ///< which lights reach a surface
+  Certainty shading = Certainty::unknown;  ///< the other colours of surfaces
+};
 
 struct ShapeSeen {
   std::string name;  ///< empty: the background
@@ -56,13 +63,14 @@ struct Diagnosis {
   std::size_t unexplained_pixels = 0;
   bool is_of_one_colour = false;  ///< true if it is not right and of one colour, which tells nothing
   std::vector<Habit> habits{};    ///< pixels that these account for are not counted as unexplained
-  Certainty camera = Certainty::unknown;
-  std::vector<ShapeSeen> shapes{};  ///< with right_apart: what these pixels should show, the most first
+  Certain certain;
+  /// What the pixels that are not explained should show, the most first. Empty where that is not known.
+  std::vector<ShapeSeen> shapes{};
 
   bool explains_all() const { return unexplained_pixels == 0; }
   /// True if something is known of the picture; else a diagnosis abstains.
   bool tells_something() const {
-    return verdict != PictureVerdict::unexplained || camera != Certainty::unknown || !habits.empty();
+    return verdict != PictureVerdict::unexplained || certain.camera != Certainty::unknown || !habits.empty();
   }
 };
 

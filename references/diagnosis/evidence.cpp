@@ -74,12 +74,30 @@ double xi(const std::vector<float>& x, const std::vector<float>& y) {
 
 }  // namespace
 
+std::size_t number_of_faults() {
+  return fault_catalogue().size() + geometry_families().size() + shading_families().size();
+}
+
+const Fault& fault_at(std::size_t index) {
+  for (const auto* list : {&fault_catalogue(), &geometry_families()}) {
+    if (index < list->size()) return (*list)[index];
+    index -= list->size();
+  }
+  return shading_families().at(index);
+}
+
 std::vector<const Fault*> faults_of(const FaultSet& set) {
-  const std::size_t formulas = fault_catalogue().size();
   std::vector<const Fault*> faults;
-  for (const std::size_t fault : set)
-    faults.push_back(fault < formulas ? &fault_catalogue()[fault] : &camera_families()[fault - formulas]);
+  for (const std::size_t fault : set) faults.push_back(&fault_at(fault));
   return faults;
+}
+
+FaultSet set_of(const std::vector<const Fault*>& faults) {
+  FaultSet set;
+  for (std::size_t i = 0; i < number_of_faults(); ++i) {
+    if (std::find(faults.begin(), faults.end(), &fault_at(i)) != faults.end()) set.push_back(i);
+  }
+  return set;
 }
 
 FaultSet with(FaultSet set, std::size_t fault) {

@@ -13,10 +13,15 @@
 
 namespace plumb::references {
 
-/// Faults as ascending indices into the catalogue, each once. Those of camera_families() come after it.
+/// Faults as ascending indices into the catalogue, each once. Those of geometry_families() come after it,
+/// then those of shading_families().
 using FaultSet = std::vector<std::size_t>;
 
+/// The number of all faults that a set may have.
+std::size_t number_of_faults();
+const Fault& fault_at(std::size_t index);
 std::vector<const Fault*> faults_of(const FaultSet& set);
+FaultSet set_of(const std::vector<const Fault*>& faults);
 /// Return the set with a fault that is not in it, and without one that is.
 FaultSet with(FaultSet set, std::size_t fault);
 FaultSet without(FaultSet set, std::size_t fault);

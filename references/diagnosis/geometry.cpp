@@ -232,7 +232,7 @@ std::vector<const Fault*> one_of(std::initializer_list<const char*> ids) {
   std::vector<const Fault*> choice{nullptr};
   for (const char* id : ids) {
     const Fault* const fault = find_fault(id);
-    choice.push_back(fault != nullptr ? fault : find_camera_family(id));
+    choice.push_back(fault != nullptr ? fault : find_geometry_family(id));
   }
   return choice;
 }
@@ -258,22 +258,61 @@ std::vector<Label> turned(const std::vector<Label>& labels, const Grid& grid, bo
   return all;
 }
 
+std::vector<const Fault*> before_the_picture_is_turned(std::vector<const Fault*> faults) {
+  std::erase_if(faults, [](const Fault* fault) { return fault->after != nullptr; });
+  return faults;
+}
+
+bool has_transforms(const Scene& scene) {
+  return std::any_of(scene.shapes.begin(), scene.shapes.end(),
+                     [](const Shape& shape) { return !shape.transform.empty(); });
+}
+
 /// All cameras, those with the fewest faults first, each picture of labels once.
 class Candidates {
  public:
   Candidates(Subject subject, const PictureSeen& seen, const Grid& grid)
       : subject_(std::move(subject)), seen_(seen), grid_(grid) {
     subject_.scene.lights.clear();
-    const auto fields = one_of({"full-angle-as-half", "degrees-into-tan", "field-of-view-fixed",
-                                "focal-length-of-its-own", "half-angle-in-the-numerator",
-                                "whole-angle-in-the-numerator", "degrees-into-tan-of-the-width"});
+    const auto fields =
+        one_of({"full-angle-as-half", "degrees-into-tan", "field-of-view-fixed", "focal-length-of-its-own",
+                "image-plane-of-its-own", "half-angle-in-the-numerator", "whole-angle-in-the-numerator",
+                "degrees-into-tan-of-the-width"});
     const auto shapes = one_of({"aspect-ignored", "field-of-view-vertical", "aspect-in-whole-numbers"});
-    const auto poses = one_of({"camera-without-effect", "camera-direction-ignored", "camera-up-ignored",
-                               "camera-transform-ignored", "camera-matrix-transposed",
-                               "camera-looks-backwards", "camera-direction-added", "eye-hard-coded"});
+    const auto poses =
+        one_of({"camera-without-effect", "camera-direction-ignored", "camera-up-ignored",
+                "camera-transform-ignored", "camera-matrix-transposed", "camera-looks-backwards",
+                "camera-direction-added", "eye-hard-coded", "camera-axes-not-normalised"});
     for (const Fault* field : fields) {
       for (const Fault* shape : shapes) {
         for (const Fault* pose : poses) add(without_nothing({field, shape, pose}));
+      }
+    }
+  }
+
+  /// Adds, to the few cameras that agree best and to the right one, the faults that put shapes elsewhere.
+  void add_transforms() {
+    if (!has_transforms(subject_.scene)) return;
+    constexpr std::size_t few = 8;  // because the camera shows in most of the scene, whatever its shapes do
+    std::vector<std::pair<double, std::vector<const Fault*>>> best;
+    for (const auto& [labels, candidate] : by_labels_)
+      best.emplace_back(candidate.agreement, candidate.faults);
+    std::stable_sort(best.begin(), best.end(),
+                     [](const auto& a, const auto& b) { return a.first > b.first; });
+    best.resize(std::min(best.size(), few));
+    if (std::none_of(best.begin(), best.end(), [](const auto& b) { return b.second.empty(); }))
+      best.emplace_back();
+    const auto transforms =
+        one_of({"transforms-missing", "composite-transform-ignored", "inverse-in-wrong-order",
+                "translation-added", "translation-in-wrong-column", "rotation-about-unit-axes-only",
+                "rotation-by-half", "rotation-degrees-as-radians", "ray-by-matrix", "rotation-sense",
+                "rotation-sense-about-x", "rotation-sense-about-y", "rotation-sense-about-z"});
+    for (const auto& [agreement, faults] : best) {
+      for (const Fault* transform : transforms) {
+        if (transform == nullptr) continue;
+        std::vector<const Fault*> both = before_the_picture_is_turned(faults);
+        both.push_back(transform);
+        add(both);
       }
     }
   }
@@ -346,35 +385,46 @@ const Fault* in_place_of(const Fault* fault, const std::vector<const Fault*>& fa
   return other;
 }
 
-/// Keeps the faults that all cameras have which agree about as well.
+bool has_number(const std::vector<const Fault*>& faults, int number) {
+  return std::any_of(faults.begin(), faults.end(), [&](const Fault* f) { return f->catalogue == number; });
+}
+
+/// Holds each fault of the camera that agrees best against the cameras without one of its number.
 CameraFound found_among(const std::vector<Candidate>& all) {
   const Candidate& best = all.front();
   CameraFound found;
-  const auto about_as_good = [&](const Candidate& c) { return c.agreement > best.agreement - least_lead; };
-  found.faults = best.faults;
-  for (const Candidate& other : all) {
-    if (!about_as_good(other)) break;
-    std::erase_if(found.faults, [&](const Fault* fault) { return !has(other.faults, fault); });
-  }
-  double lead = 0;
-  found.is_right = best.faults.empty() && (all.size() < 2 || !about_as_good(all[1]));
-  for (const Candidate& other : all) {
-    const bool has_them = std::all_of(found.faults.begin(), found.faults.end(),
-                                      [&](const Fault* f) { return has(other.faults, f); });
-    if (&other == &best || (has_them && !found.faults.empty())) continue;
-    lead = best.agreement - other.agreement;
-    break;
-  }
-  if (lead < least_lead_of_a_fault) found.faults.clear();
-  for (const Fault* fault : found.faults) {
+  found.is_right = std::none_of(all.begin(), all.end(), [&](const Candidate& c) {
+    return c.agreement > best.agreement - least_lead &&
+           std::any_of(c.faults.begin(), c.faults.end(),
+                       [](const Fault* fault) { return is_of_geometry(*fault); });
+  });
+  found.assumed = best.faults;
+  for (const Fault* fault : best.faults) {
     std::vector<const Fault*> alike;
     for (const auto& others : best.same) {
-      const Fault* const other = in_place_of(fault, best.faults, others);
-      if (other != nullptr && !has(alike, other)) alike.push_back(other);
+      const Fault* const in_place = in_place_of(fault, best.faults, others);
+      if (in_place != nullptr && !has(alike, in_place)) alike.push_back(in_place);
     }
     found.alike.push_back(alike);
+    const auto other = std::find_if(
+        all.begin(), all.end(), [&](const Candidate& c) { return !has_number(c.faults, fault->catalogue); });
+    if (other == all.end() || best.agreement - other->agreement >= least_lead_of_a_fault)
+      found.faults.push_back(fault);
   }
   return found;
+}
+
+SurfacesSeen surfaces_of(const std::vector<Label>& labels, const Grid& grid) {
+  const auto edges =
+      widened(edges_where(grid, [&](std::size_t a, std::size_t b) { return labels[a] != labels[b]; }), grid);
+  SurfacesSeen surfaces{{}, static_cast<std::size_t>(grid.stride) * static_cast<std::size_t>(grid.stride)};
+  for (int y = 0; y < grid.height; ++y) {
+    for (int x = 0; x < grid.width; ++x) {
+      const std::size_t i = grid.index(x, y);
+      if (labels[i] != 0 && !edges[i]) surfaces.places.push_back({{grid.pixel(x), grid.pixel(y)}, labels[i]});
+    }
+  }
+  return surfaces;
 }
 
 std::size_t instances_of(const Scene& scene) {
@@ -385,6 +435,14 @@ std::size_t instances_of(const Scene& scene) {
 }
 
 }  // namespace
+
+bool is_of_geometry(const Fault& fault) {
+  constexpr int pixel_corner = 4;  // a shift by half a pixel, which no grid of cells tells
+  constexpr int last_of_the_camera = 7, focal_lengths = 40;
+  return (fault.catalogue <= last_of_the_camera && fault.catalogue != pixel_corner) ||
+         fault.catalogue == focal_lengths || fault.id == "aspect-in-whole-numbers" ||
+         fault.id == "upside-down" || fault.id == "left-right-swapped";
+}
 
 std::optional<Geometry> geometry_of(const Scene& scene, const Camera& camera, const textbook::RenderJob& job,
                                     const ImageFile& seen) {
@@ -397,11 +455,19 @@ std::optional<Geometry> geometry_of(const Scene& scene, const Camera& camera, co
   const Grid grid{job.width / stride, job.height / stride, stride};
   if (cells < fewest_cells || grid.cells() < fewest_cells) return {};
   const PictureSeen picture(seen, grid);
-  const std::vector<Candidate> all = Candidates({scene, camera, job, {}}, picture, grid).take();
-  if (all.empty() || all.front().agreement < least_agreement) return {};
-  Geometry geometry{found_among(all), picture.background(all.front().labels)};
+  Candidates candidates({scene, camera, job, {}}, picture, grid);
+  candidates.add_transforms();
+  const std::vector<Candidate> all = candidates.take();
+  if (all.empty()) return {};
   const auto right =
       std::find_if(all.begin(), all.end(), [](const Candidate& c) { return c.faults.empty(); });
+  if (all.front().agreement < least_agreement) {
+    // Colours may still prove the right camera.
+    if (right == all.end()) return {};
+    return Geometry{{}, picture.background(right->labels), surfaces_of(right->labels, grid)};
+  }
+  const std::vector<Label>& labels = all.front().labels;
+  Geometry geometry{found_among(all), picture.background(labels), surfaces_of(labels, grid)};
   if (right != all.end()) {
     for (std::size_t i = 0; i < right->labels.size(); ++i)
       geometry.camera.pixels += right->labels[i] != all.front().labels[i] ? 1 : 0;

@@ -1,6 +1,7 @@
 // What a picture shows of the camera, told by where things are. Colours play no part beyond their edges.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -9,14 +10,16 @@
 
 namespace plumb::references {
 
-/// The camera that a picture was made with. Its faults are of fault_catalogue() and camera_families().
+/// The camera that a picture was made with. Its faults are of fault_catalogue() and geometry_families().
 struct CameraFound {
-  /// The faults that every camera with which the picture agrees about as well has; none when the right one is
-  /// among these.
-  std::vector<const Fault*> faults;
-  /// For each fault, those that show every surface at the same pixels in its place.
+  /// The faults of the camera with which the picture agrees best, of transforms, too. Its colours may prove
+  /// them; alone they are a guess.
+  std::vector<const Fault*> assumed;
+  /// For each of them, those that show every surface at the same pixels in its place.
   std::vector<std::vector<const Fault*>> alike;
-  bool is_right = false;   ///< true if the right camera agrees best, and no other about as well
+  /// Those of them that are certain: with no camera without one of their number it agrees about as well.
+  std::vector<const Fault*> faults;
+  bool is_right = false;   ///< true if no other camera agrees about as well as the right one
   std::size_t pixels = 0;  ///< number that show another surface than with the right camera
 };
 
@@ -26,14 +29,30 @@ struct BackgroundSeen {
   std::size_t pixels;  ///< number that have it
 };
 
+/// A pixel that shows a surface, away from the edges of all surfaces.
+struct SurfaceSeen {
+  PixelPlace place;
+  std::uint32_t surface;  ///< the same number for the same surface
+};
+
+struct SurfacesSeen {
+  std::vector<SurfaceSeen> places;  ///< evenly spread
+  std::size_t pixels_of_place = 0;  ///< number that each stands for
+};
+
 struct Geometry {
   CameraFound camera;
   std::optional<BackgroundSeen> background;
+  SurfacesSeen surfaces;
 };
 
+/// True if a fault is one of the camera, and moves what is seen by more than a pixel.
+bool is_of_geometry(const Fault& fault);
+
 /// Holds the edges and regions of the picture against those that each fault of the camera gives, alone and
-/// combined: field of view, shape of the image plane, pose, and the picture turned or mirrored. Returns
-/// nothing when no camera agrees well, or when too many do. The job's size is the picture's.
+/// combined: field of view, shape of the image plane, pose, and the picture turned or mirrored. Where
+/// none agrees well the camera is unknown, and the rest is what the right one shows. Returns nothing of a
+/// scene or picture that is too small or too large for that. The job's size is the picture's.
 std::optional<Geometry> geometry_of(const Scene& scene, const Camera& camera, const textbook::RenderJob& job,
                                     const ImageFile& seen);
 

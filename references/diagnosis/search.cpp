@@ -31,13 +31,6 @@ constexpr double nothing_left =
     0.005;                     // because float and double disagree by a level in some of a thousand pixels
 constexpr double looks = 450;  // at all even pixels, in a search for two or three faults
 
-/// Returns how many of the tracers that were read have the fault.
-int count_of(const Fault& fault) {
-  int count = 0;
-  std::from_chars(fault.how_common.data(), fault.how_common.data() + fault.how_common.size(), count);
-  return std::max(0, count);
-}
-
 class Search {
  public:
   explicit Search(Evidence& evidence)
@@ -381,6 +374,12 @@ class Search {
 };
 
 }  // namespace
+
+int count_of(const Fault& fault) {
+  int count = 0;
+  std::from_chars(fault.how_common.data(), fault.how_common.data() + fault.how_common.size(), count);
+  return std::max(0, count);
+}
 
 double least_gain(const Fault& fault, double before) {
   // because float and double disagree by one level in some pixels of a thousand, which is ln 2 each. A rare

@@ -14,4 +14,7 @@ Fit explain(Evidence& evidence);
 /// Returns by how much a fault must improve a misfit of `before` to be believed.
 double least_gain(const Fault& fault, double before);
 
+/// Returns how many of the tracers that were read have the fault.
+int count_of(const Fault& fault);
+
 }  // namespace plumb::references

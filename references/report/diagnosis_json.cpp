@@ -1,5 +1,8 @@
 #include "references/report/diagnosis_json.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace plumb::references {
 namespace {
 
@@ -13,7 +16,9 @@ Json to_json(const FoundFault& found, int hint) {
   json["slide"] = fault.slide;
   json["confidence"] = found.confidence;
   json["pixels"] = found.pixels;
+  json["evidence"] = {{"pixels", std::max(found.changed, found.pixels)}, {"only_it", found.pixels}};
   if (hint < 3) return json;
+  if (!std::isnan(fault.value)) json["value"] = fault.value;
   json["wrong"] = fault.wrong;
   json["right"] = fault.right;
   return json;
@@ -70,7 +75,9 @@ Json to_json(const Diagnosis& diagnosis, int hint) {
   }
   Json json{{"verdict", to_string(diagnosis.verdict)}, {"faults", faults}};
   if (!diagnosis.faults.empty()) json["explains"] = diagnosis.explains_all() ? "all" : "part";
-  json["certain"] = {{"camera", certain_json(diagnosis.camera)}};
+  json["certain"] = {{"camera", certain_json(diagnosis.certain.camera)},
+                     {"shadows", certain_json(diagnosis.certain.shadows)},
+                     {"shading", certain_json(diagnosis.certain.shading)}};
   json["habits"] = habits_json(diagnosis.habits);
   json["unexplained_pixels"] = diagnosis.unexplained_pixels;
   json["edge_pixels"] = diagnosis.edges;
@@ -85,7 +92,9 @@ Json to_json(const Diagnosis& diagnosis, int hint) {
                       {"rounding", rounding_json(diagnosis.encoding)},
                       {"levels", levels_json(diagnosis.encoding)}};
   if (hint >= 2) json["encoding"]["flipped"] = diagnosis.is_flipped;  // which names a mistake
-  json["remaining"] = {{"rms", diagnosis.rms}, {"pixels_over_2_255", diagnosis.pixels_over}};
+  json["remaining"] = {{"rms", diagnosis.rms},
+                       {"pixels_over_2_255", diagnosis.pixels_over},
+                       {"by_object", shapes_json(diagnosis.shapes)}};
   return json;
 }
 

@@ -73,7 +73,11 @@ std::string settled_by(const TellApart& group) {
 /// What is certain beside the mistakes, and what is none.
 std::string certain_of(const Diagnosis& found) {
   std::string text;
-  if (found.camera == Certainty::right) text += html::paragraph("The camera is right.");
+  std::string right;
+  if (found.certain.camera == Certainty::right) right += "The camera is right. ";
+  if (found.certain.shadows == Certainty::right) right += "The shadows are right. ";
+  if (found.certain.shading == Certainty::right) right += "The other shading is right. ";
+  if (!right.empty()) text += html::paragraph(right);
   for (const Habit& habit : found.habits)
     text += html::paragraph(habit.title + " That is no mistake of a formula.");
   return text;
@@ -82,14 +86,18 @@ std::string certain_of(const Diagnosis& found) {
 /// What was found, in one sentence.
 std::string conclusion_of_diagnosis(const Diagnosed& d) {
   const Diagnosis& found = d.diagnosis;
-  const std::string summary = summary_of(found);
+  std::string summary = summary_of(found);
   if (found.verdict == PictureVerdict::right) return "The picture is right.";
   if (found.verdict == PictureVerdict::right_apart) return "The picture is " + summary + ".";
   if (found.verdict == PictureVerdict::unexplained)
     return "No set of known mistakes explains it: " + summary + ".";
   const std::size_t count = found.faults.size();
-  return std::to_string(count) + (count == 1 ? " mistake explains " : " mistakes explain ") +
-         (found.explains_all() ? "it" : "a part of it: " + summary) + ".";
+  const std::string explains =
+      std::to_string(count) + (count == 1 ? " mistake explains " : " mistakes explain ");
+  if (found.explains_all()) return explains + "it.";
+  constexpr std::string_view of_a_part = "explains a part; ";  // which the sentence says itself
+  if (summary.starts_with(of_a_part)) summary.erase(0, of_a_part.size());
+  return explains + "a part of it: " + summary + ".";
 }
 
 }  // namespace

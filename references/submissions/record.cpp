@@ -1,19 +1,30 @@
 #include "references/submissions/record.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <string>
 
 namespace plumb::references {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// The id, of a family's member with its constant.
+std::string name_of(const Fault& fault) {
+  const std::string id(fault.id);
+  return std::isnan(fault.value) ? id : id + " " + std::to_string(fault.value);
+}
+
 const Fault* fault_of(const Json& id) {
   const std::string name = id.get<std::string>();
-  const Fault* const fault = find_fault(name) != nullptr ? find_fault(name) : find_camera_family(name);
-  if (fault == nullptr) throw std::runtime_error("an unknown fault");
-  return fault;
+  for (const auto* list : {&fault_catalogue(), &geometry_families(), &shading_families()}) {
+    const auto found =
+        std::find_if(list->begin(), list->end(), [&](const Fault& fault) { return name_of(fault) == name; });
+    if (found != list->end()) return &*found;
+  }
+  throw std::runtime_error("an unknown fault");
 }
 
 /// JSON has no NaN: null stands for it.
@@ -23,13 +34,17 @@ double real_of(const Json& number) {
 
 Json record_of(const FoundFault& found) {
   Json alike = Json::array();
-  for (const Fault* fault : found.alike) alike.push_back(fault->id);
-  return {
-      {"id", found.fault->id}, {"confidence", found.confidence}, {"pixels", found.pixels}, {"alike", alike}};
+  for (const Fault* fault : found.alike) alike.push_back(name_of(*fault));
+  return {{"id", name_of(*found.fault)},
+          {"confidence", found.confidence},
+          {"pixels", found.pixels},
+          {"alike", alike},
+          {"changed", found.changed}};
 }
 
 FoundFault found_of(const Json& json) {
-  FoundFault found{fault_of(json.at("id")), real_of(json.at("confidence")), json.at("pixels"), {}};
+  FoundFault found{
+      fault_of(json.at("id")), real_of(json.at("confidence")), json.at("pixels"), {}, json.at("changed")};
   for (const Json& id : json.at("alike")) found.alike.push_back(fault_of(id));
   return found;
 }
@@ -91,7 +106,9 @@ Json record_of(const Diagnosis& diagnosis) {
           {"unexplained_pixels", diagnosis.unexplained_pixels},
           {"is_of_one_colour", diagnosis.is_of_one_colour},
           {"habits", habits},
-          {"camera", static_cast<int>(diagnosis.camera)},
+          {"camera", static_cast<int>(diagnosis.certain.camera)},
+          {"shadows", static_cast<int>(diagnosis.certain.shadows)},
+          {"shading", static_cast<int>(diagnosis.certain.shading)},
           {"shapes", shapes}};
 }
 
@@ -109,7 +126,9 @@ Diagnosis diagnosis_of(const Json& json) {
   diagnosis.unexplained_pixels = json.at("unexplained_pixels");
   diagnosis.is_of_one_colour = json.at("is_of_one_colour");
   for (const Json& habit : json.at("habits")) diagnosis.habits.push_back(habit_of(habit));
-  diagnosis.camera = static_cast<Certainty>(json.at("camera").get<int>());
+  diagnosis.certain.camera = static_cast<Certainty>(json.at("camera").get<int>());
+  diagnosis.certain.shadows = static_cast<Certainty>(json.at("shadows").get<int>());
+  diagnosis.certain.shading = static_cast<Certainty>(json.at("shading").get<int>());
   for (const Json& shape : json.at("shapes"))
     diagnosis.shapes.push_back({shape.at(0).get<std::string>(), shape.at(1).get<std::size_t>()});
   return diagnosis;

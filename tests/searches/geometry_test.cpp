@@ -23,21 +23,7 @@ define camera eye 60
 render eye out.ppm 150 100
 )";
 
-textbook::RenderJob job() {
-  textbook::RenderJob job;
-  job.width = 150;
-  job.height = 100;
-  job.threads = 1;
-  return job;
-}
-
-ImageFile picture_of(const Scene& scene, const std::vector<const Fault*>& faults) {
-  const Image image = render_with(scene, scene.cameras.front(), job(), faults);
-  ImageFile file{image.width, image.height, 3, Sample::bits8, {}, {}};
-  for (const float value : image.rgb)
-    file.values.push_back(std::floor(255 * std::clamp(value, 0.0F, 1.0F)) / 255);
-  return file;
-}
+const textbook::RenderJob geometry_job = tests::job_of(150, 100);
 
 /// The room by a tracer that has a black background, half the light and no highlights.
 Scene in_other_colours(Scene scene) {
@@ -48,9 +34,13 @@ Scene in_other_colours(Scene scene) {
 }
 
 bool names(const CameraFound& camera, const Fault* fault) {
-  for (std::size_t i = 0; i < camera.faults.size(); ++i) {
+  for (std::size_t i = 0; i < camera.assumed.size(); ++i) {
     const auto& alike = camera.alike[i];
-    if (camera.faults[i] == fault || std::find(alike.begin(), alike.end(), fault) != alike.end()) return true;
+    const bool is_it =
+        camera.assumed[i] == fault || std::find(alike.begin(), alike.end(), fault) != alike.end();
+    const bool is_sure =
+        std::find(camera.faults.begin(), camera.faults.end(), camera.assumed[i]) != camera.faults.end();
+    if (is_it && is_sure) return true;
   }
   return false;
 }
@@ -60,10 +50,10 @@ class GeometryOf : public testing::TestWithParam<const char*> {};
 TEST_P(GeometryOf, TheFaultIsNamedWhateverTheColours) {
   const Scene scene = read_scene(tests::room_scene).scene;
   const std::string id = GetParam();
-  const Fault* const fault = find_fault(id) != nullptr ? find_fault(id) : find_camera_family(id);
+  const Fault* const fault = find_fault(id) != nullptr ? find_fault(id) : find_geometry_family(id);
   ASSERT_NE(fault, nullptr);
-  const auto found =
-      geometry_of(scene, scene.cameras.front(), job(), picture_of(in_other_colours(scene), {fault}));
+  const auto found = geometry_of(scene, scene.cameras.front(), geometry_job,
+                                 tests::picture_of(in_other_colours(scene), geometry_job, {fault}));
   ASSERT_TRUE(found);
   EXPECT_FALSE(found->camera.is_right);
   EXPECT_TRUE(names(found->camera, fault));
@@ -86,8 +76,8 @@ TEST(Geometry, TwoFaultsAreNamedTogether) {
   const Scene scene = read_scene(tests::room_scene).scene;
   const Fault* const field = find_fault("full-angle-as-half");
   const Fault* const aspect = find_fault("aspect-ignored");
-  const auto found =
-      geometry_of(scene, scene.cameras.front(), job(), picture_of(in_other_colours(scene), {field, aspect}));
+  const auto found = geometry_of(scene, scene.cameras.front(), geometry_job,
+                                 tests::picture_of(in_other_colours(scene), geometry_job, {field, aspect}));
   ASSERT_TRUE(found);
   EXPECT_TRUE(names(found->camera, field));
   EXPECT_TRUE(names(found->camera, aspect));
@@ -95,8 +85,8 @@ TEST(Geometry, TwoFaultsAreNamedTogether) {
 
 TEST(Geometry, ARightCameraIsRightWhateverTheColours) {
   const Scene scene = read_scene(tests::room_scene).scene;
-  const auto found =
-      geometry_of(scene, scene.cameras.front(), job(), picture_of(in_other_colours(scene), {}));
+  const auto found = geometry_of(scene, scene.cameras.front(), geometry_job,
+                                 tests::picture_of(in_other_colours(scene), geometry_job, {}));
   ASSERT_TRUE(found);
   EXPECT_TRUE(found->camera.is_right);
   EXPECT_TRUE(found->camera.faults.empty());
@@ -106,21 +96,21 @@ TEST(Geometry, ARightCameraIsRightWhateverTheColours) {
 
 TEST(Geometry, AnotherScenesPictureAccusesNobody) {
   const Scene scene = read_scene(tests::room_scene).scene;
-  const auto found =
-      geometry_of(scene, scene.cameras.front(), job(), picture_of(read_scene(another).scene, {}));
+  const auto found = geometry_of(scene, scene.cameras.front(), geometry_job,
+                                 tests::picture_of(read_scene(another).scene, geometry_job, {}));
   EXPECT_TRUE(!found || (found->camera.faults.empty() && !found->camera.is_right));
 }
 
 TEST(Geometry, AFaultOfTheCameraIsNamedBesideColoursThatNothingExplains) {
   const Scene scene = read_scene(tests::room_scene).scene;
   const Fault* const aspect = find_fault("aspect-ignored");
-  const Diagnosis found =
-      diagnose(scene, scene.cameras.front(), job(), picture_of(in_other_colours(scene), {aspect}));
+  const Diagnosis found = diagnose(scene, scene.cameras.front(), geometry_job,
+                                   tests::picture_of(in_other_colours(scene), geometry_job, {aspect}));
   EXPECT_EQ(found.verdict, PictureVerdict::faults);
   ASSERT_EQ(found.faults.size(), 1U);
   EXPECT_EQ(found.faults.front().fault, aspect);
   EXPECT_FALSE(found.explains_all());
-  EXPECT_EQ(found.camera, Certainty::wrong);
+  EXPECT_EQ(found.certain.camera, Certainty::wrong);
   ASSERT_EQ(found.habits.size(), 1U);
   EXPECT_EQ(found.habits.front().id, "background");
 }

@@ -1,5 +1,11 @@
-// A scene in which edges and regions tell the camera.
+// A scene in which edges and regions tell the camera, and pictures of it.
 #pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "references/faults/fault.hpp"
+#include "tracer/image/image_file.hpp"
 
 namespace plumb::tests {
 
@@ -18,5 +24,23 @@ transform eye rotate 12 0 1 0.3
 transform eye translate 0.6 0.4 0.5
 render eye out.ppm 150 100
 )";
+
+inline textbook::RenderJob job_of(int width, int height) {
+  textbook::RenderJob job;
+  job.width = width;
+  job.height = height;
+  job.threads = 1;
+  return job;
+}
+
+/// The picture of the first camera, truncated to 8 bits as the course's framework does.
+inline ImageFile picture_of(const Scene& scene, const textbook::RenderJob& job,
+                            const std::vector<const references::Fault*>& faults) {
+  const Image image = references::render_with(scene, scene.cameras.front(), job, faults);
+  ImageFile file{image.width, image.height, 3, Sample::bits8, {}, {}};
+  for (const float value : image.rgb)
+    file.values.push_back(std::floor(255 * std::clamp(value, 0.0F, 1.0F)) / 255);
+  return file;
+}
 
 }  // namespace plumb::tests

@@ -53,7 +53,8 @@ std::vector<JudgedPicture> one_of_each() {
   apart.edges = 2;
   apart.unexplained_pixels = 9;
   apart.habits = {{"background", "Where nothing is hit, it is black.", Rgbd(0, 1.0 / 3, 0.5)}};
-  apart.camera = references::Certainty::right;
+  apart.certain = {references::Certainty::right, references::Certainty::right,
+                   references::Certainty::unknown};
   apart.shapes = {{"tiny", 8}, {"", 1}};
   all[1].diagnosis = apart;
   references::Diagnosis wrong = right;
@@ -61,10 +62,13 @@ std::vector<JudgedPicture> one_of_each() {
   wrong.is_flipped = true;
   wrong.pixels_over = 3;
   const auto& faults = references::fault_catalogue();
-  wrong.faults = {{&faults[2], 0.1 + 0.2, 77, {&faults[5], &faults[6]}},
-                  {&faults[1], 1, 5, {}},
-                  {&references::camera_families().front(), 0.95, 9, {}}};
-  wrong.camera = references::Certainty::wrong;
+  wrong.faults = {
+      {&faults[2], 0.1 + 0.2, 77, {&faults[5], &faults[6]}},
+      {&faults[1], 1, 5, {}},
+      {&references::geometry_families().front(), 0.95, 9, {}},
+      {&references::shading_families().at(3), 0.9, 8, {&references::shading_families().at(30)}, 11}};
+  wrong.certain = {references::Certainty::wrong, references::Certainty::unknown,
+                   references::Certainty::wrong};
   all[2].diagnosis = wrong;
   wrong.verdict = references::PictureVerdict::unexplained;
   wrong.faults.clear();
