@@ -389,6 +389,17 @@ bool has_number(const std::vector<const Fault*>& faults, int number) {
   return std::any_of(faults.begin(), faults.end(), [&](const Fault* f) { return f->catalogue == number; });
 }
 
+/// Moves to the front, of those that agree about as well as the first, one with the fewest faults.
+void prefer_the_simplest(std::vector<Candidate>& all) {
+  const auto end = std::find_if(all.begin(), all.end(), [&](const Candidate& c) {
+    return c.agreement <= all.front().agreement - least_lead;
+  });
+  const auto simplest = std::min_element(all.begin(), end, [](const Candidate& a, const Candidate& b) {
+    return a.faults.size() < b.faults.size();
+  });
+  std::rotate(all.begin(), simplest, simplest + 1);
+}
+
 /// Holds each fault of the camera that agrees best against the cameras without one of its number.
 CameraFound found_among(const std::vector<Candidate>& all) {
   const Candidate& best = all.front();
@@ -457,8 +468,9 @@ std::optional<Geometry> geometry_of(const Scene& scene, const Camera& camera, co
   const PictureSeen picture(seen, grid);
   Candidates candidates({scene, camera, job, {}}, picture, grid);
   candidates.add_transforms();
-  const std::vector<Candidate> all = candidates.take();
+  std::vector<Candidate> all = candidates.take();
   if (all.empty()) return {};
+  prefer_the_simplest(all);
   const auto right =
       std::find_if(all.begin(), all.end(), [](const Candidate& c) { return c.faults.empty(); });
   if (all.front().agreement < least_agreement) {
