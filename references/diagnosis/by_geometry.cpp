@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "references/diagnosis/diagnostician.hpp"
@@ -39,8 +40,10 @@ ByGeometry::ByGeometry(const Evidence& evidence, const ImageFile& seen, std::opt
 
 std::optional<Diagnosis> ByGeometry::with_background_of_its_own() const {
   if (!habit_) return {};
-  for (const auto& tolerance : {tolerance_, of_a_level()}) {
-    const Evidence evidence(with_habit_.front(), evidence_.camera(), evidence_.job(), seen_, tolerance);
+  for (const bool is_rounded : {false, true}) {
+    if (is_rounded && !only_what_shows_the_background_is_left()) break;
+    const Evidence evidence(with_habit_.front(), evidence_.camera(), evidence_.job(), seen_,
+                            is_rounded ? of_a_level() : tolerance_);
     std::optional<Diagnosis> found = Diagnostician(evidence, seen_).without_search();
     if (!found || found->verdict != PictureVerdict::right) continue;
     found->verdict = PictureVerdict::right_apart;
@@ -59,6 +62,24 @@ std::optional<Diagnosis> ByGeometry::with_background_of_its_own() const {
 std::optional<double> ByGeometry::of_a_level() const {
   constexpr double level = 1.0 / 255;
   return tolerance_.value_or(0) + level;
+}
+
+/// True if every pixel that is not right mirrors or refracts the background, whose colour the file rounded.
+bool ByGeometry::only_what_shows_the_background_is_left() const {
+  if (evidence_.encodings().front().is_float) return false;
+  const Evidence evidence(with_habit_.front(), evidence_.camera(), evidence_.job(), seen_, tolerance_);
+  std::vector<PixelPlace> left;
+  for (const std::size_t pixel : remains_of(evidence, {}).pixels) left.push_back(evidence.place_of(pixel));
+  Scene other = with_habit_.front();
+  other.background += Rgbd(1);
+  textbook::Work work(std::numeric_limits<double>::infinity());
+  const std::vector<float> with_other =
+      colours_with(other, evidence_.camera(), evidence_.job(), {}, left, work);
+  const std::vector<float> colours = evidence.colours({}, left);
+  for (std::size_t i = 0; i < colours.size(); i += 3) {
+    if (std::equal(&colours[i], &colours[i] + 3, &with_other[i])) return false;
+  }
+  return true;
 }
 
 Diagnosis ByGeometry::completed(Diagnosis by_colours) const {
@@ -172,7 +193,7 @@ void ByGeometry::name_what_is_told(Diagnosis& d) const {
   const Remains remains = remains_of(evidence, set);
   tell_what_remains(evidence, set, remains, d);
   constexpr double nearly_all = 0.98;  // because of those at edges of shadows some are off
-  const bool is_all_right = is_proven && shading.right >= nearly_all;
+  const bool is_all_right = is_proven && share_within(evidence, set, remains.encoding) >= nearly_all;
   d.certain = {camera.is_right || is_proven ? Certainty::right : Certainty::unknown,
                is_all_right ? Certainty::right : Certainty::unknown,
                is_all_right ? Certainty::right : Certainty::unknown};
@@ -180,6 +201,16 @@ void ByGeometry::name_what_is_told(Diagnosis& d) const {
   d.habits.clear();
   if (habit_ && d.certain.camera != Certainty::unknown) d.habits = {*habit_};
   if (d.certain.camera == Certainty::right && set.empty()) d.shapes = shapes_at(evidence, remains.pixels);
+}
+
+/// Returns the share of the surfaces' places that is right to the last level, or to float32's error.
+double ByGeometry::share_within(const Evidence& evidence, const FaultSet& set,
+                                const OutputEncoding& encoding) const {
+  std::vector<PixelPlace> places;
+  for (const SurfaceSeen& one : geometry_.surfaces.places) places.push_back(one.place);
+  const std::vector<bool> right = within(evidence, set, encoding, places);
+  return static_cast<double>(std::count(right.begin(), right.end(), true)) /
+         static_cast<double>(std::max<std::size_t>(1, right.size()));
 }
 
 /// Adds a fault that the places of things tell.

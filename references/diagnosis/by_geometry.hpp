@@ -28,6 +28,8 @@ class ByGeometry {
   void add_what_is_certain(Diagnosis& diagnosis) const;
   std::optional<Habit> background_of_its_own() const;
   std::optional<double> of_a_level() const;
+  bool only_what_shows_the_background_is_left() const;
+  double share_within(const Evidence& evidence, const FaultSet& set, const OutputEncoding& encoding) const;
   std::vector<Scene> with_background(const Rgbd& seen) const;
   double misfit_of(const Scene& scene) const;
   void name_what_is_told(Diagnosis& diagnosis) const;

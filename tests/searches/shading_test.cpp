@@ -89,6 +89,29 @@ TEST(Shading, IsRightBesideAnotherBackground) {
   EXPECT_EQ(found.certain.shading, Certainty::right);
 }
 
+/// A level too bright, or a little more ambient light in floats, is not right beside another background.
+TEST(Shading, IsNotRightWhenItIsAlmost) {
+  const Scene scene = room();
+  const Scene painted = with_background(scene, {0.9, 0.5, 0.1});
+  ImageFile brighter = tests::picture_of(painted, shading_job, {});
+  const ImageFile background = tests::picture_of(painted, shading_job, {});
+  for (std::size_t i = 0; i < brighter.values.size(); ++i) {
+    const bool is_background = std::abs(background.values[i - i % 3] - std::floor(255 * 0.9F) / 255) < 1e-6F;
+    if (!is_background && brighter.values[i] < 1) brighter.values[i] += 1.0F / 255;
+  }
+  Scene lighter = painted;
+  lighter.ambient *= 1.003;
+  const Image image = render_with(lighter, lighter.cameras.front(), shading_job, {});
+  const ImageFile in_floats{image.width, image.height, 3, Sample::float32, image.rgb, {}};
+  for (const ImageFile& picture : {brighter, in_floats}) {
+    const Diagnosis found = diagnose(scene, scene.cameras.front(), shading_job, picture);
+    EXPECT_FALSE(found.explains_all());
+    EXPECT_NE(found.verdict, PictureVerdict::right);
+    EXPECT_NE(found.certain.shading, Certainty::right);
+    EXPECT_NE(found.certain.shadows, Certainty::right);
+  }
+}
+
 /// What no formula of the catalogue does accuses nobody.
 TEST(Shading, AnotherMaterialOrLightIsNoFault) {
   const Scene scene = room();
