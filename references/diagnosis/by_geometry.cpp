@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <utility>
 
 #include "references/diagnosis/diagnostician.hpp"
@@ -170,13 +171,13 @@ void ByGeometry::name_what_is_told(Diagnosis& d) const {
   // Of two backgrounds that look the same where nothing is hit, what mirrors shows one.
   if (!with_habit_.empty() && has_secondary_rays(scenes.front())) scenes = with_habit_;
   Shading shading;
-  std::optional<Evidence> best;
+  std::unique_ptr<Evidence> best;
   for (const Scene& scene : scenes) {
-    Evidence evidence(scene, evidence_.camera(), evidence_.job(), seen_, tolerance_);
-    Shading found = shading_of(evidence, set_of(camera.assumed), geometry_.surfaces);
+    auto evidence = std::make_unique<Evidence>(scene, evidence_.camera(), evidence_.job(), seen_, tolerance_);
+    Shading found = shading_of(*evidence, set_of(camera.assumed), geometry_.surfaces);
     if (best && found.right <= shading.right) continue;
     shading = std::move(found);
-    best.emplace(scene, evidence_.camera(), evidence_.job(), seen_, tolerance_);
+    best = std::move(evidence);
   }
   const Evidence& evidence = *best;
   const bool is_proven = shading.right >= enough_right;
