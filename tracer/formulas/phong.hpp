@@ -127,8 +127,8 @@ ShadowRay<Real> shadow_ray(const Vec3<Real>& point, [[maybe_unused]] const Vec3<
 /// The numbers in the world of the objects that matter when one may block a light.
 struct Blocking {
   std::uint64_t candidate;
-  std::uint64_t lit;   ///< the object that is to be lit
-  std::uint64_t last;  ///< the largest number of all
+  std::uint64_t lit;    ///< the object that is to be lit
+  std::uint64_t last;   ///< the largest number of all
   std::uint64_t light;  ///< the number of the light
 };
 

@@ -73,7 +73,8 @@ class World {
     Hit<Real> found;
     Ray<Real> to_light = with_t_min(ray);
     to_light.t_known = before_light(ray, light_distance);
-    root_->intersect({formulas_, start, true, to_light.t_known, lit, instances() - 1, light}, to_light, 0, found);
+    root_->intersect({formulas_, start, true, to_light.t_known, lit, instances() - 1, light}, to_light, 0,
+                     found);
     return found;
   }
 
