@@ -1,8 +1,10 @@
 #include "references/submissions/sandbox/sandbox_arguments.hpp"
 
 #include <sys/resource.h>
+#include <sys/utsname.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 
 #include "references/submissions/sandbox/control_group.hpp"
@@ -52,12 +54,21 @@ void add_mounts(Words& all, const SandboxView& view, const SandboxLimits& limits
   add(all, {"--remount-ro", "/dev", "--remount-ro", "/"});
 }
 
-/// A limit behind the watcher's, in case that is late. The kernel counts the processes of the sandbox's own
-/// user namespace; before Linux 5.14 it counts all of our user, who has some already.
+/// True since Linux 5.14: the kernel counts the processes of a user namespace for itself.
+bool are_namespaces_counted() {
+  utsname kernel{};
+  int major = 0, minor = 0;
+  return uname(&kernel) == 0 && std::sscanf(kernel.release, "%d.%d", &major, &minor) == 2 &&
+         (major > 5 || (major == 5 && minor >= 14));
+}
+
+/// A limit behind the watcher's, in case that is late: the fewer processes it lets through, the sooner the
+/// watcher gets its turn. Where the kernel counts all processes of our user, she has some already.
 std::string most_processes(const SandboxLimits& limits, unsigned user) {
   rlimit now{};
   getrlimit(RLIMIT_NPROC, &now);
-  return std::to_string(std::min<rlim_t>(2 * most_tasks(limits) + (user == 0 ? 1024 : 0), now.rlim_max));
+  const rlim_t already = user == 0 && !are_namespaces_counted() ? 1024 : 0;
+  return std::to_string(std::min<rlim_t>(2 * most_tasks(limits) + already, now.rlim_max));
 }
 
 }  // namespace
