@@ -7,7 +7,7 @@
 #include "references/attribution/by_format.hpp"
 #include "references/attribution/by_moves.hpp"
 
-namespace plumb::references {
+namespace plumb::attribution {
 namespace {
 
 // A picture that differs as a whole is no matter of chance: one pixel of the sample that has no cause settles
@@ -21,10 +21,10 @@ class Attribution {
   explicit Attribution(const AttributionJob& job) : job_(job), inquiry_(job) {}
 
   Budget run() {
-    for (const PixelPlace p : pixels_over(job_.reference, job_.test, job_.tolerance)) {
+    for (const PixelPlace p : comparison::pixels_over(job_.reference, job_.test, job_.tolerance)) {
       budget_.pixels.push_back({p.x, p.y, Cause::unexplained});
     }
-    if (job_.holds != Holds::float32) explain_by_format(inquiry_, still_unexplained());
+    if (job_.holds != renderers::Holds::float32) explain_by_format(inquiry_, still_unexplained());
     const SuspectPixels all = still_unexplained();
     if (all.size() > most_without_sample && !is_explained(sample_of(all))) {
       budget_.unexamined = all.size() - sample_of(all).size();
@@ -116,4 +116,4 @@ std::optional<BrokenBound> broken_bound(const Budget& budget, int width, int hei
   return BrokenBound{std::nullopt, budget.unverified(), pixels / 100};
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::attribution

@@ -12,7 +12,7 @@
 #include "references/renderers/resolution.hpp"
 #include "tracer/scene/shot.hpp"
 
-namespace plumb::references {
+namespace plumb::attribution {
 
 struct AttributedPixel {
   int x;
@@ -38,9 +38,9 @@ struct AttributionJob {
   Shot shot;
   const Image& reference;
   const Image& test;
-  double tolerance;              ///< as in compare()
-  const Resolution& resolution;  ///< of what made the reference
-  Holds holds = Holds::float32;  ///< the reference
+  double tolerance;                                    ///< as in compare()
+  const renderers::Resolution& resolution;             ///< of what made the reference
+  renderers::Holds holds = renderers::Holds::float32;  ///< the reference
   double work = 2.5e8;  ///< units of Work that are spent at most, about 5 s; a fifth more to name the shapes
 };
 
@@ -72,4 +72,4 @@ struct BrokenBound {
 /// reproduced exactly, so these have no bound.
 std::optional<BrokenBound> broken_bound(const Budget& budget, int width, int height);
 
-}  // namespace plumb::references
+}  // namespace plumb::attribution

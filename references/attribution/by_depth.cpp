@@ -2,7 +2,7 @@
 
 #include "references/attribution/divergence.hpp"
 
-namespace plumb::references {
+namespace plumb::attribution {
 namespace {
 
 /// Whether the test is traced at the asked depth, and the reference, which is another value, at the other.
@@ -10,9 +10,9 @@ bool shows_both(const Inquiry& inquiry, const AttributedPixel& p, const PixelTra
   const double tolerance = inquiry.job().tolerance;
   const std::optional<Colour> ours = inquiry.still().at(p);
   const std::optional<Colour> other = other_depth.at(p);
-  return ours && other && is_within(inquiry.test(p), ours->data(), tolerance) &&
-         is_within(inquiry.reference(p), other->data(), tolerance) &&
-         !is_within(ours->data(), other->data(), tolerance);
+  return ours && other && comparison::is_within(inquiry.test(p), ours->data(), tolerance) &&
+         comparison::is_within(inquiry.reference(p), other->data(), tolerance) &&
+         !comparison::is_within(ours->data(), other->data(), tolerance);
 }
 
 }  // namespace
@@ -31,4 +31,4 @@ void explain_by_depth(const Inquiry& inquiry, int depth, const SuspectPixels& pi
   }
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::attribution

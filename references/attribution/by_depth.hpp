@@ -3,9 +3,9 @@
 
 #include "references/attribution/inquiry.hpp"
 
-namespace plumb::references {
+namespace plumb::attribution {
 
 /// Depth, of those that are unexplained.
 void explain_by_depth(const Inquiry& inquiry, int depth, const SuspectPixels& pixels);
 
-}  // namespace plumb::references
+}  // namespace plumb::attribution

@@ -4,18 +4,18 @@
 #include <cmath>
 #include <limits>
 
-namespace plumb::references {
+namespace plumb::attribution {
 namespace {
 
 bool is_traced(const Inquiry& inquiry, const AttributedPixel& p, const PixelTracer& tracer) {
   const std::optional<Colour> traced = tracer.at(p);
-  return traced && is_within(inquiry.test(p), traced->data(), inquiry.job().tolerance);
+  return traced && comparison::is_within(inquiry.test(p), traced->data(), inquiry.job().tolerance);
 }
 
 /// To the last bit but for the rounding of the float itself. A clamped reference does not tell the test's
 /// value; that must be what is traced.
 void explain_one(const Inquiry& inquiry, AttributedPixel& p, const PixelTracer& tracer) {
-  const double levels = inquiry.job().holds == Holds::bits8 ? 255 : 65535;
+  const double levels = inquiry.job().holds == renderers::Holds::bits8 ? 255 : 65535;
   bool clamps = false;
   for (int c = 0; c < 3; ++c) {
     const double value = inquiry.test(p)[c];
@@ -37,4 +37,4 @@ void explain_by_format(const Inquiry& inquiry, const SuspectPixels& pixels) {
   for (AttributedPixel* const p : pixels) explain_one(inquiry, *p, tracer);
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::attribution

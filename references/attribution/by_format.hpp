@@ -3,9 +3,9 @@
 
 #include "references/attribution/inquiry.hpp"
 
-namespace plumb::references {
+namespace plumb::attribution {
 
 /// Clamping and rounding to integers.
 void explain_by_format(const Inquiry& inquiry, const SuspectPixels& pixels);
 
-}  // namespace plumb::references
+}  // namespace plumb::attribution

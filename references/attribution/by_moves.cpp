@@ -5,7 +5,7 @@
 #include "references/attribution/divergence.hpp"
 #include "references/attribution/shapes_that_take_part.hpp"
 
-namespace plumb::references {
+namespace plumb::attribution {
 namespace {
 
 constexpr double smallest_jump = 1e3;  // times the move: a smooth pixel changes by far less
@@ -73,20 +73,21 @@ class Moves {
   void try_pattern(int pattern, const PixelTracer& moved, Suspect& s) const {
     const std::optional<Colour> outcome = moved.at(*s.pixel);
     if (!outcome) return;
-    s.varies =
-        s.varies || !is_within(s.unmoved.data(), outcome->data(), std::max(job_.tolerance, jump_of(pattern)));
+    s.varies = s.varies || !comparison::is_within(s.unmoved.data(), outcome->data(),
+                                                  std::max(job_.tolerance, jump_of(pattern)));
     try_outcome(pattern, *outcome, s);
   }
 
   /// Whether the outcome is what one of the pictures shows; when both are found, their rays tell the cause.
   void try_outcome(int pattern, const Colour& outcome, Suspect& s) const {
     const auto shows = [&](const float* picture, std::optional<int>& as, Colour& of) {
-      if (as || !is_within(picture, outcome.data(), job_.tolerance)) return;
+      if (as || !comparison::is_within(picture, outcome.data(), job_.tolerance)) return;
       as = pattern;
       of = outcome;
       if (!s.as_test || !s.as_reference) return;
       // Two outcomes that are hardly apart, or have the same rays, are no matter of chance.
-      if (!is_within(s.of_test.data(), s.of_reference.data(), jump_of(pattern))) s.cause = divergence(s);
+      if (!comparison::is_within(s.of_test.data(), s.of_reference.data(), jump_of(pattern)))
+        s.cause = divergence(s);
       if (!s.cause) as.reset();
     };
     shows(inquiry_.test(*s.pixel), s.as_test, s.of_test);
@@ -115,4 +116,4 @@ std::set<ShapeId> explain_by_moves(const Inquiry& inquiry, const SuspectPixels& 
   return Moves(inquiry).explain(pixels);
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::attribution

@@ -5,10 +5,10 @@
 
 #include "references/attribution/inquiry.hpp"
 
-namespace plumb::references {
+namespace plumb::attribution {
 
 /// Edges, coincident surfaces and the reference's tolerance. Returns the shapes of the inquiry's scene that
 /// take part.
 std::set<ShapeId> explain_by_moves(const Inquiry& inquiry, const SuspectPixels& pixels);
 
-}  // namespace plumb::references
+}  // namespace plumb::attribution

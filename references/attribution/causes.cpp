@@ -1,6 +1,6 @@
 #include "references/attribution/causes.hpp"
 
-namespace plumb::references {
+namespace plumb::attribution {
 namespace {
 
 constexpr std::array<CauseRow, cause_count> rows{{
@@ -32,4 +32,4 @@ const CauseRow& row_of(Cause cause) { return rows.at(static_cast<std::size_t>(ca
 
 const char* to_string(Cause cause) { return row_of(cause).name.data(); }
 
-}  // namespace plumb::references
+}  // namespace plumb::attribution

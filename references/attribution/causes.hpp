@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <string_view>
 
-namespace plumb::references {
+namespace plumb::attribution {
 
 /// All but the last are matters of chance or of the reference's format, and no fault of either renderer.
 enum class Cause {
@@ -45,4 +45,4 @@ const CauseRow& row_of(Cause cause);
 /// As it stands in JSON, e.g. "shadow_edge".
 const char* to_string(Cause cause);
 
-}  // namespace plumb::references
+}  // namespace plumb::attribution

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace plumb::references {
+namespace plumb::attribution {
 namespace {
 
 using textbook::LightSeen;
@@ -15,7 +15,7 @@ bool is_seen(const LightSeen<double>& light) { return light.counts && light.delt
 
 class Divergence {
  public:
-  Divergence(double extent, const Resolution& resolution)
+  Divergence(double extent, const renderers::Resolution& resolution)
       : one_place_(resolution.one_place * extent),
         told_apart_(resolution.told_apart * extent),
         shadow_(resolution.shadow * extent) {}
@@ -85,8 +85,8 @@ class Divergence {
 }  // namespace
 
 std::optional<Cause> first_divergence(const RayNode& ours, const RayNode& other, double extent,
-                                      const Resolution& resolution) {
+                                      const renderers::Resolution& resolution) {
   return Divergence(extent, resolution).first(ours, other, {});
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::attribution

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace plumb::references {
+namespace plumb::attribution {
 
 Inquiry::Inquiry(const AttributionJob& job)
     : job_(job),
@@ -37,4 +37,4 @@ RayNode Inquiry::tree(int pattern, const AttributedPixel& p) const {
   return pattern == no_pattern ? still_.tree_of(p) : moved_by(pattern)->tree_of(p);
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::attribution

@@ -10,7 +10,7 @@
 #include "references/attribution/perturbation.hpp"
 #include "references/attribution/pixel_tracer.hpp"
 
-namespace plumb::references {
+namespace plumb::attribution {
 
 /// Of one budget; a prover sets their causes.
 using SuspectPixels = std::vector<AttributedPixel*>;
@@ -49,4 +49,4 @@ class Inquiry {
   mutable std::deque<std::pair<int, std::shared_ptr<const PixelTracer>>> moved_;
 };
 
-}  // namespace plumb::references
+}  // namespace plumb::attribution

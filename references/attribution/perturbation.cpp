@@ -7,7 +7,7 @@
 #include "tracer/scene/each_kind.hpp"
 #include "tracer/scene/hierarchy.hpp"
 
-namespace plumb::references {
+namespace plumb::attribution {
 namespace {
 
 /// Moves every face of a box, and the surface of a sphere, by `step` one way or the other.
@@ -74,7 +74,7 @@ Scene with_instances_apart(const Scene& scene) {
   return apart;
 }
 
-Perturbation::Perturbation(const Scene& scene, const Camera& camera, const Resolution& resolution)
+Perturbation::Perturbation(const Scene& scene, const Camera& camera, const renderers::Resolution& resolution)
     : scene_(scene),
       resolution_(resolution),
       extent_(resolution.extent(scene, camera)),
@@ -125,4 +125,4 @@ PerturbedFormulas Perturbation::reference_shadows() const {
 
 double Perturbation::nearest_blocker() const { return resolution_.steps_to_blocker * step_; }
 
-}  // namespace plumb::references
+}  // namespace plumb::attribution

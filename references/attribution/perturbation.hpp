@@ -9,7 +9,7 @@
 #include "references/renderers/resolution.hpp"
 #include "tracer/scene/scene.hpp"
 
-namespace plumb::references {
+namespace plumb::attribution {
 
 /// The same world, in which every instance of a shared shape is one of its own, so that each can be moved
 /// alone; or the scene as it is, when those would be more than 2,000.
@@ -24,7 +24,7 @@ class Perturbation {
   /// All must outlive it. No shape is moved by more than 1e-5 of its size, and the step of the formulas is
   /// at most that of the smallest shape: in a scene with a vast sky nothing small is moved by what is
   /// visible.
-  Perturbation(const Scene& scene, const Camera& camera, const Resolution& resolution);
+  Perturbation(const Scene& scene, const Camera& camera, const renderers::Resolution& resolution);
 
   double extent() const { return extent_; }
   /// Returns how far the pattern moves, in steps.
@@ -39,10 +39,10 @@ class Perturbation {
   double nearest_blocker() const;
 
   const Scene& scene_;
-  const Resolution& resolution_;
+  const renderers::Resolution& resolution_;
   double extent_;
   double step_;                // of the formulas, in world lengths
   std::vector<double> steps_;  // in the space of each shape
 };
 
-}  // namespace plumb::references
+}  // namespace plumb::attribution

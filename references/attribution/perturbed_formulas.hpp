@@ -9,7 +9,7 @@
 #include "tracer/image/pixel_place.hpp"
 #include "tracer/textbook/formula_table.hpp"
 
-namespace plumb::references {
+namespace plumb::attribution {
 
 /// What does not resolve is 0: then an entry is the lecture's. Entries are members: they know lengths, and
 /// one takes chances.
@@ -60,4 +60,4 @@ struct PerturbedFormulas {
   PerturbedTable table;
 };
 
-}  // namespace plumb::references
+}  // namespace plumb::attribution

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace plumb::references {
+namespace plumb::attribution {
 namespace {
 
 Colour rounded(const Rgbd& c) {
@@ -35,4 +35,4 @@ RayNode PixelTracer::tree_of(const AttributedPixel& p) const {
   return recorder_.take();
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::attribution

@@ -8,7 +8,7 @@
 #include "references/attribution/perturbed_formulas.hpp"
 #include "references/attribution/ray_tree.hpp"
 
-namespace plumb::references {
+namespace plumb::attribution {
 
 /// A colour as pictures hold it.
 using Colour = std::array<float, 3>;
@@ -36,4 +36,4 @@ class PixelTracer {
   textbook::Tracer<double, PerturbedFormulas, Recorder> recording_;
 };
 
-}  // namespace plumb::references
+}  // namespace plumb::attribution

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <utility>
 
-namespace plumb::references {
+namespace plumb::attribution {
 
 bool Recorder::ray_begins(textbook::RayKind kind, const Ray<double>& ray, int depth) const {
   if (!state_->budget.ray_begins(kind, ray, depth)) {
@@ -83,4 +83,4 @@ RayNode TreeTracer::tree_of(int x, int y) const {
   return recorder_.take();
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::attribution

@@ -12,7 +12,7 @@
 #include "tracer/textbook/ray_budget.hpp"
 #include "tracer/textbook/tracer.hpp"
 
-namespace plumb::references {
+namespace plumb::attribution {
 
 /// A place where a ray meets a surface, in world space.
 struct Meeting {
@@ -91,4 +91,4 @@ class TreeTracer {
   textbook::Tracer<double, Formulas, Recorder> tracer_;
 };
 
-}  // namespace plumb::references
+}  // namespace plumb::attribution

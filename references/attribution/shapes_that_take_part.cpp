@@ -5,7 +5,7 @@
 
 #include "tracer/scene/hierarchy.hpp"
 
-namespace plumb::references {
+namespace plumb::attribution {
 namespace {
 
 constexpr int patterns_of_one = 6;        // of a single shape, to find out whether it takes part
@@ -52,7 +52,7 @@ std::set<ShapeId> shapes_that_change(const Inquiry& inquiry, const Meetings& mee
       const bool changes = std::any_of(pixels.begin(), pixels.end(), [&](const ProvenPixel* p) {
         const std::optional<Colour> unmoved = unmoved_of(*p);
         const std::optional<Colour> outcome = moved.at(*p->pixel);
-        return unmoved && outcome && !is_within(unmoved->data(), outcome->data(), job.tolerance);
+        return unmoved && outcome && !comparison::is_within(unmoved->data(), outcome->data(), job.tolerance);
       });
       if (changes) found.insert(id);
     }
@@ -84,4 +84,4 @@ std::set<ShapeId> shapes_that_take_part(const Inquiry& inquiry, const std::vecto
       inquiry, meetings, shadows, [&](const ProvenPixel& p) { return still.at(*p.pixel); }, work);
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::attribution

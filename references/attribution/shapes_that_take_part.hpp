@@ -6,7 +6,7 @@
 
 #include "references/attribution/inquiry.hpp"
 
-namespace plumb::references {
+namespace plumb::attribution {
 
 /// A pixel that moves change, and what shows it.
 struct ProvenPixel {
@@ -19,4 +19,4 @@ struct ProvenPixel {
 /// Those whose move alone changes one of the pixels.
 std::set<ShapeId> shapes_that_take_part(const Inquiry& inquiry, const std::vector<ProvenPixel>& proven);
 
-}  // namespace plumb::references
+}  // namespace plumb::attribution

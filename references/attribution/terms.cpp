@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace plumb::references {
+namespace plumb::attribution {
 namespace {
 
 /// Takes out of a material what does not belong to the term.
@@ -53,4 +53,4 @@ bool has(Term term, const Scene& scene) {
   return any([](const Material& m) { return m.transmits(); });
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::attribution

@@ -7,7 +7,7 @@
 #include "tracer/scene/render_options.hpp"
 #include "tracer/scene/scene.hpp"
 
-namespace plumb::references {
+namespace plumb::attribution {
 
 /// Each stands on those before it, so a difference lives in the first one that differs.
 enum class Term {
@@ -35,4 +35,4 @@ TermScene only(Term term, const Scene& scene, const RenderOptions& options);
 /// True if the scene has the term at all: a light, a mirror, glass.
 bool has(Term term, const Scene& scene);
 
-}  // namespace plumb::references
+}  // namespace plumb::attribution

@@ -4,15 +4,13 @@
 
 namespace plumb::cli {
 
-Table bounds_options(references::Bounds& bounds) {
-  const auto reader = [](std::vector<references::Region>& regions, const char* name) {
-    return [&regions, name](const std::string& text) {
-      regions.push_back(references::parse_region(text, name));
-    };
+Table bounds_options(gates::Bounds& bounds) {
+  const auto reader = [](std::vector<gates::Region>& regions, const char* name) {
+    return [&regions, name](const std::string& text) { regions.push_back(gates::parse_region(text, name)); };
   };
   constexpr const char* region = "X,Y,W,H|MASK";
   const auto read_allowed = [&bounds](const std::string& text) {
-    bounds.allow_over = references::parse_allow_over(text, "--allow-over");
+    bounds.allow_over = gates::parse_allow_over(text, "--allow-over");
   };
   return {{"--allow-over",
            read_allowed,

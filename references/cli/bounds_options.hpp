@@ -10,6 +10,6 @@
 namespace plumb::cli {
 
 /// --allow-over --relative --ignore --only
-Table bounds_options(references::Bounds& bounds);
+Table bounds_options(gates::Bounds& bounds);
 
 }  // namespace plumb::cli

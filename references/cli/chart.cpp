@@ -18,8 +18,8 @@ namespace {
 struct Options {
   std::vector<std::string> scenes;
   std::string json, svg, png;
-  references::PictureOptions picture;
-  references::ChartOptions chart;
+  gates::PictureOptions picture;
+  studies::ChartOptions chart;
 };
 
 /// The pictures that are asked for; all files when none is.
@@ -41,7 +41,7 @@ std::vector<std::string> pictures(Options& options) {
 
 /// What no option says by itself.
 void complete(Options& options) {
-  references::ChartOptions& chart = options.chart;
+  studies::ChartOptions& chart = options.chart;
   chart.size = options.picture.size.value_or(chart.size);
   chart.camera = options.picture.camera;
   chart.dialect = options.picture.dialect;
@@ -50,29 +50,29 @@ void complete(Options& options) {
 }
 
 /// What lies on the fronts, the fastest first as they were measured.
-void print_fronts(const references::ChartScene& scene) {
+void print_fronts(const studies::ChartScene& scene) {
   std::printf("%s\n", scene.scene.c_str());
   for (const auto& point : scene.points) {
     if (!point.pareto) continue;
     std::printf("  %-32s %8.3g x  rms %8.2g  %zu pixels over  (%s)\n", point.way.title.c_str(),
                 point.ratio.median, point.error.rms, point.error.pixels_over,
-                point.way.truth == references::Truth::pixel_centres ? "exactness" : "sampling");
+                point.way.truth == studies::Truth::pixel_centres ? "exactness" : "sampling");
   }
 }
 
 int run_chart(Options& options) {
   const std::vector<std::string> files = pictures(options);
-  if (!files.empty()) references::check_plotting();
+  if (!files.empty()) studies::check_plotting();
   complete(options);
   Progress progress("measuring");
   options.chart.progress = [&](double fraction) { progress.show(fraction); };
-  const references::Chart chart = references::measure_chart(options.scenes, options.chart);
+  const studies::Chart chart = studies::measure_chart(options.scenes, options.chart);
   progress.clear();
   if (!chart.instructions.empty())
     warn("INSTRUCTIONS ARE NOT COUNTED: " + chart.instructions + "; they are null in the JSON");
-  const references::Json json = references::to_json(chart);
-  if (!files.empty()) references::plot_chart(references::json_text(json), files);
-  if (!options.json.empty()) references::write_json(options.json, json);
+  const nlohmann::ordered_json json = report::to_json(chart);
+  if (!files.empty()) studies::plot_chart(system::json_text(json), files);
+  if (!options.json.empty()) report::write_json(options.json, json);
   if (options.json == "-") return exit_agrees;
   for (const auto& scene : chart.scenes) {
     print_fronts(scene);
@@ -81,7 +81,7 @@ int run_chart(Options& options) {
   return exit_agrees;
 }
 
-Table picture_options(references::PictureOptions& picture) {
+Table picture_options(gates::PictureOptions& picture) {
   Table table = scene_options(picture);
   table.front().purpose = "size of all pictures";
   table.front().rules.default_text = "160x120";

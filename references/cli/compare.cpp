@@ -21,10 +21,10 @@ namespace plumb::cli {
 namespace {
 
 namespace fs = std::filesystem;
-using references::CompareReport;
-using references::Findings;
-using references::Json;
-using references::JunitCase;
+using gates::Findings;
+using report::CompareReport;
+using Json = nlohmann::ordered_json;
+using report::JunitCase;
 
 /// The masks may be named in a file of bounds; what the command line names is refused before.
 void check_difference(const CompareOptions& options) {
@@ -41,23 +41,22 @@ void check_difference(const CompareOptions& options) {
 }
 
 JunitCase junit_case(const CompareOptions& options, const Findings& f) {
-  const std::string details = details_of(f);
-  if (f.agrees()) return {options.test, JunitCase::Outcome::passed, "", "", 0, output_of(f)};
+  const std::string details = report::details_of(f);
+  if (f.agrees()) return {options.test, JunitCase::Outcome::passed, "", "", 0, report::output_of(f)};
   return {options.test, JunitCase::Outcome::failed, details.substr(0, details.find('\n')), details, 0, {}};
 }
 
 void write_junit(const CompareOptions& options, const JunitCase& result) {
-  if (!options.junit.empty()) write_file(options.junit, references::junit_xml(options.reference, {result}));
+  if (!options.junit.empty()) write_file(options.junit, report::junit_xml(options.reference, {result}));
 }
 
 int compare_one(const CompareOptions& options) {
   check_difference(options);
-  Findings findings =
-      references::compare_files(options.reference, options.test, options.bounds, options.pair);
+  Findings findings = gates::compare_files(options.reference, options.test, options.bounds, options.pair);
   const int code = findings.agrees() ? exit_agrees : exit_differs;
-  if (options.says_text()) std::fputs(table_of(findings).c_str(), stdout);
-  const Json json = json_of(findings);
-  if (!options.json.empty()) references::write_json(options.json, json);
+  if (options.says_text()) std::fputs(report::table_of(findings).c_str(), stdout);
+  const Json json = report::json_of(findings);
+  if (!options.json.empty()) report::write_json(options.json, json);
   write_junit(options, junit_case(options, findings));
   if (!options.difference.empty()) write_difference(options.difference, findings, options.says_text());
   if (!options.report.empty()) {
@@ -87,7 +86,7 @@ void expect_both_several(const std::string& several, const std::string& other) {
 
 int run_compare(const CompareOptions& options, const Request& request) {
   expect_sensible(options, request);
-  using references::names_several;
+  using gates::names_several;
   try {
     request.read();
     if (names_several(options.reference) && !names_several(options.test))
@@ -118,7 +117,7 @@ Table output_options(CompareOptions& options) {
        {.value = "FILE|DIR"}}};
 }
 
-Table options_of_pairs(references::PairOptions& pair) {
+Table options_of_pairs(gates::PairOptions& pair) {
   return {{"--channels",
            &pair.read.channels,
            "compare these channels alone, by name, e.g. R,G,B",
@@ -127,7 +126,7 @@ Table options_of_pairs(references::PairOptions& pair) {
            &pair.read.part,
            "of files with several parts or pages, the one to compare",
            {.value = "NAME|N"}},
-          {"--metrics", &pair.metrics, "also " + references::metrics_named()}};
+          {"--metrics", &pair.metrics, "also " + report::metrics_named()}};
 }
 
 }  // namespace
@@ -149,7 +148,7 @@ Command compare_command() {
           "single images: {\"glass\": {\"allow_over\": \"0.1%\", \"ignore\": [\"0,0,64,16\"], \"because\": "
           "\"the "
           "clock\"}}, with tolerance, relative, allow_over, ignore and only as the options.\n" +
-          references::metrics_help() + "\nExit codes: 0 agree, 1 differ, 2 trouble.",
+          report::metrics_help() + "\nExit codes: 0 agree, 1 differ, 2 trouble.",
       .options = joined({{{"REFERENCE",
                            &options->reference,
                            "image that is taken to be right; a directory of such, or a quoted pattern",

@@ -24,11 +24,11 @@ namespace plumb::cli {
 namespace {
 
 namespace fs = std::filesystem;
-using references::CompareReport;
-using references::Findings;
-using references::ImagePair;
-using references::Json;
-using references::JunitCase;
+using gates::Findings;
+using gates::ImagePair;
+using report::CompareReport;
+using Json = nlohmann::ordered_json;
+using report::JunitCase;
 
 /// What is kept of a pair once it is told.
 struct PairResult {
@@ -58,11 +58,11 @@ class Several {
   explicit Several(const CompareOptions& options)
       : options_(options),
         bounds_(options.bounds),
-        file_(references::directory_of(options.reference)),
-        found_(references::pair_images(options.reference, options.test, masks())) {
+        file_(gates::directory_of(options.reference)),
+        found_(gates::pair_images(options.reference, options.test, masks())) {
     std::vector<std::string> names;
     for (const ImagePair& pair : found_.pairs) names.push_back(pair.name);
-    width_ = references::name_width(names);
+    width_ = report::name_width(names);
     if (const std::string complaint = file_.complaint_about_others(names); !complaint.empty())
       throw std::runtime_error(complaint);
     refuse_differences_among_inputs();
@@ -74,7 +74,7 @@ class Several {
     tell("%-*s %10s %10s %8s  %s\n", static_cast<int>(width_), "image", "size", "error", "over", "result");
     for (const ImagePair& pair : found_.pairs) add(pair);
     if (report_) report_->finish();
-    if (!options_.json.empty()) references::write_json(options_.json, json());
+    if (!options_.json.empty()) report::write_json(options_.json, json());
     if (!options_.junit.empty()) write_file(options_.junit, junit());
     tell_outcome();
     int worst = exit_agrees;
@@ -120,8 +120,8 @@ class Several {
     const auto begin = Clock::now();
     try {
       if (!pair.trouble.empty()) throw std::runtime_error(pair.trouble);
-      add_findings(pair, references::compare_files(pair.reference, pair.test,
-                                                   file_.bounds_of(pair.name, bounds_), options_.pair));
+      add_findings(pair, gates::compare_files(pair.reference, pair.test, file_.bounds_of(pair.name, bounds_),
+                                              options_.pair));
     } catch (const std::bad_alloc&) {
       add_trouble(pair, pair.test + ": out of memory");
     } catch (const std::exception& error) {
@@ -133,12 +133,12 @@ class Several {
   void add_findings(const ImagePair& pair, Findings&& f) {
     if (!options_.difference.empty()) write_difference_of(pair, f);
     const bool agrees = f.agrees();
-    const std::string details = details_of(f), row = row_of(pair.name, f);
+    const std::string details = report::details_of(f), row = row_of(pair.name, f);
     PairResult result{{{"name", pair.name}}, {pair.name, JunitCase::Outcome::passed, "", details, 0, {}}};
-    result.json.update(json_of(f));
+    result.json.update(report::json_of(f));
     for (const char* const key : {"tool", "version"}) result.json.erase(key);
     if (agrees) {
-      result.junit.output = output_of(f);
+      result.junit.output = report::output_of(f);
     } else {
       result.junit.outcome = JunitCase::Outcome::failed;
       result.junit.message = first_line(details);
@@ -149,26 +149,26 @@ class Several {
   }
 
   std::string row_of(const std::string& name, const Findings& f) const {
-    const references::Comparison& c = f.result.comparison;
+    const comparison::Comparison& c = f.result.comparison;
     const std::string size = std::to_string(f.test.width) + "x" + std::to_string(f.test.height);
     char figures[64];
     std::snprintf(figures, sizeof figures, " %10s %10.2g %8zu  ", size.c_str(), c.judged_error,
                   c.pixels_over);
-    const std::string allowed = bounds_text(f.bounds, f.result);
+    const std::string allowed = report::bounds_text(f.bounds, f.result);
     std::string row = name + std::string(std::max<std::size_t>(width_, name.size()) - name.size(), ' ') +
-                      figures + verdict_of(f);
+                      figures + report::verdict_of(f);
     const auto add = [&](std::string text) {
       if (!text.empty() && text.back() == '\n') text.pop_back();
       if (!text.empty()) row += "\n      " + indented(text);
     };
-    if (f.metrics) add(metrics_table(*f.metrics));
+    if (f.metrics) add(report::metrics_table(*f.metrics));
     if (!f.no_metrics.empty()) add("no metrics: " + f.no_metrics);
     if (!f.agrees()) {
-      add(details_of(f));
+      add(report::details_of(f));
       return row;
     }
     if (!allowed.empty()) add("bounds: " + allowed);
-    add(contents_of(f));
+    add(report::contents_of(f));
     return row;
   }
 
@@ -217,7 +217,7 @@ class Several {
   std::string junit() const {
     std::vector<JunitCase> cases;
     for (const PairResult& result : results_) cases.push_back(result.junit);
-    return references::junit_xml(options_.test + " against " + options_.reference, cases);
+    return report::junit_xml(options_.test + " against " + options_.reference, cases);
   }
 
   void tell_outcome() const {
@@ -237,9 +237,9 @@ class Several {
   }
 
   const CompareOptions& options_;
-  const references::Bounds& bounds_;
-  references::BoundsFile file_;
-  references::ImagePairs found_;
+  const gates::Bounds& bounds_;
+  gates::BoundsFile file_;
+  gates::ImagePairs found_;
   std::size_t width_ = 0;
   std::optional<CompareReport> report_;
   std::vector<PairResult> results_;
@@ -254,8 +254,8 @@ void say_left_out(const std::string& left_out) {
 }
 
 void write_difference(const std::string& path, const Findings& f, bool says_text) {
-  const references::DifferenceImage written =
-      references::write_difference(path, f.reference, f.test, f.result.mask);
+  const comparison::DifferenceImage written =
+      comparison::write_difference(path, f.reference, f.test, f.result.mask);
   if (written.leaves_out_channels)
     warn(path +
          ": holds the differences of the first channels, not those of the others, which were compared");

@@ -14,8 +14,8 @@ struct CompareOptions {
   std::string junit;
   std::string report;
   std::string difference;  ///< a file, or of several pairs a directory
-  references::Bounds bounds;
-  references::PairOptions pair;
+  gates::Bounds bounds;
+  gates::PairOptions pair;
 
   /// True if the results are shown on standard output as text.
   bool says_text() const { return json != "-" && junit != "-"; }
@@ -29,6 +29,6 @@ int compare_several(const CompareOptions& options);
 void say_left_out(const std::string& left_out);
 
 /// Writes --diff and says what it holds; nothing when there is none.
-void write_difference(const std::string& path, const references::Findings& findings, bool says_text);
+void write_difference(const std::string& path, const gates::Findings& findings, bool says_text);
 
 }  // namespace plumb::cli

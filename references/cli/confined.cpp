@@ -41,8 +41,8 @@ Table limit_options(ConfinedOptions& options, const std::string& timeout) {
            {.shows_default = true, .range = within(3, 10000)}}};
 }
 
-references::SandboxLimits limits_of(const ConfinedOptions& options) {
-  references::SandboxLimits limits;
+submissions::SandboxLimits limits_of(const ConfinedOptions& options) {
+  submissions::SandboxLimits limits;
   limits.wall_seconds = options.timeout;
   limits.cpu_seconds = options.cpu;
   limits.memory_bytes = options.memory_mib * mebibyte;
@@ -61,13 +61,13 @@ std::vector<std::string> readable_paths(const ConfinedOptions& options) {
 }
 
 std::vector<std::string> renderer_words(const ConfinedOptions& options) {
-  std::vector<std::string> words = references::split_command(options.renderer);
+  std::vector<std::string> words = submissions::split_command(options.renderer);
   for (std::string& word : words) word = absolute_if_file(word);
   return words;
 }
 
 std::string found_program(const std::string& asked, const std::string& path) {
-  const std::string found = asked.find('/') == std::string::npos ? references::find_program(asked) : path;
+  const std::string found = asked.find('/') == std::string::npos ? system::find_program(asked) : path;
   if (found.empty() || !fs::exists(found))
     throw std::invalid_argument("--renderer: found no program `" + asked + "`");
   return found;
@@ -89,13 +89,13 @@ Table confined_options(ConfinedOptions& options) {
        rest});
 }
 
-references::ConfinedCommand confined_command(const ConfinedOptions& options) {
-  references::ConfinedCommand command;
+submissions::ConfinedCommand confined_command(const ConfinedOptions& options) {
+  submissions::ConfinedCommand command;
   command.words = renderer_words(options);
   command.words.front() =
-      found_program(references::split_command(options.renderer).front(), command.words.front());
+      found_program(submissions::split_command(options.renderer).front(), command.words.front());
   for (const char* const name : {"scene", "image"}) {
-    if (references::mentions(command.words, name)) continue;
+    if (submissions::mentions(command.words, name)) continue;
     throw std::invalid_argument("--renderer: found no {" + std::string(name) + "} in `" + options.renderer +
                                 "`, expected e.g. 'my-tracer {scene} {image}'");
   }

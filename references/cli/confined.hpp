@@ -18,7 +18,7 @@ struct ConfinedOptions {
 
 /// --timeout, whose purpose is given, --cpu --memory --disk --processes
 Table limit_options(ConfinedOptions& options, const std::string& timeout);
-references::SandboxLimits limits_of(const ConfinedOptions& options);
+submissions::SandboxLimits limits_of(const ConfinedOptions& options);
 
 /// The paths as they are seen from everywhere. Throws std::invalid_argument when there is no such file.
 std::vector<std::string> readable_paths(const ConfinedOptions& options);
@@ -33,6 +33,6 @@ std::string found_program(const std::string& asked, const std::string& path);
 Table confined_options(ConfinedOptions& options);
 
 /// Throws std::invalid_argument when there is no such program, or no {scene} or {image} in its arguments.
-references::ConfinedCommand confined_command(const ConfinedOptions& options);
+submissions::ConfinedCommand confined_command(const ConfinedOptions& options);
 
 }  // namespace plumb::cli

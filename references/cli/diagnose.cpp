@@ -21,8 +21,8 @@
 namespace plumb::cli {
 namespace {
 
-using references::Json;
-using references::TellApart;
+using Json = nlohmann::ordered_json;
+using report::TellApart;
 
 constexpr int exit_abstains = 3;
 
@@ -33,20 +33,20 @@ struct Options {
   std::string report;
   int hint = 3;
   std::optional<double> tolerance;
-  references::PictureOptions picture;
+  gates::PictureOptions picture;
 };
 
 std::string text_of(std::string_view view) { return std::string(view); }
 
-std::vector<TellApart> scenes_that_tell_apart(const references::Diagnosis& diagnosis) {
+std::vector<TellApart> scenes_that_tell_apart(const diagnosis::Diagnosis& diagnosis) {
   std::vector<TellApart> all;
-  std::vector<references::teaching::Lesson> lessons;
-  for (const references::FoundFault& found : diagnosis.faults) {
+  std::vector<teaching::Lesson> lessons;
+  for (const diagnosis::FoundFault& found : diagnosis.faults) {
     if (found.alike.empty()) continue;
-    if (lessons.empty()) lessons = references::teaching::lessons_in(data_directory(Data::scenes));
-    std::vector<const references::Fault*> faults{found.fault};
+    if (lessons.empty()) lessons = teaching::lessons_in(data_directory(Data::scenes));
+    std::vector<const faults::Fault*> faults{found.fault};
     faults.insert(faults.end(), found.alike.begin(), found.alike.end());
-    all.push_back({faults, references::teaching::scene_that_tells_apart(lessons, faults)});
+    all.push_back({faults, teaching::scene_that_tells_apart(lessons, faults)});
   }
   return all;
 }
@@ -55,26 +55,26 @@ Json to_json(const std::vector<TellApart>& tell_apart) {
   Json all = Json::array();
   for (const TellApart& group : tell_apart) {
     Json faults = Json::array();
-    for (const references::Fault* fault : group.faults) faults.push_back(fault->id);
+    for (const faults::Fault* fault : group.faults) faults.push_back(fault->id);
     all.push_back(
         {{"faults", faults}, {"scene", group.scene ? Json("tests/scenes/" + *group.scene) : Json()}});
   }
   return all;
 }
 
-Json to_json(const Options& options, const references::Diagnosis& diagnosis,
+Json to_json(const Options& options, const diagnosis::Diagnosis& diagnosis,
              const std::vector<TellApart>& tell_apart, const std::string& not_looked_at) {
   Json json{
       {"tool", "plumb"}, {"version", PLUMB_VERSION}, {"scene", options.scene}, {"image", options.image}};
-  json.update(references::to_json(diagnosis, options.hint));
+  json.update(report::to_json(diagnosis, options.hint));
   if (!not_looked_at.empty()) json["not_looked_at"] = not_looked_at;
   if (options.hint == 3) json["tell_apart"] = to_json(tell_apart);
   return json;
 }
 
 /// 1 names the slide alone, 2 also what is wrong there, 3 the formula, too.
-void print(const references::FoundFault& found, int hint) {
-  const references::Fault& fault = *found.fault;
+void print(const diagnosis::FoundFault& found, int hint) {
+  const faults::Fault& fault = *found.fault;
   const std::size_t others = found.alike.size();
   const std::string or_others =
       others == 0 || hint == 3 ? ""
@@ -97,60 +97,60 @@ void print(const references::FoundFault& found, int hint) {
     std::printf("      or     any of %zu more that --json lists\n", found.alike.size() - most_alike);
 }
 
-void print_remaining(const references::Diagnosis& d) {
+void print_remaining(const diagnosis::Diagnosis& d) {
   const double share = 100.0 * static_cast<double>(d.unexplained_pixels) / static_cast<double>(d.pixels);
-  const char* const with = d.verdict == references::PictureVerdict::faults ? " with them" : "";
+  const char* const with = d.verdict == diagnosis::PictureVerdict::faults ? " with them" : "";
   std::printf("remaining%s: %zu pixels (%.2f %%) are not right, %zu of them more than 2/255 away, RMS %.2g\n",
               with, d.unexplained_pixels, share, d.pixels_over, d.rms);
   if (d.non_finite > 0) std::printf("not finite: %zu pixels\n", d.non_finite);
 }
 
-void print_faults(const Options& options, const references::Diagnosis& d) {
+void print_faults(const Options& options, const diagnosis::Diagnosis& d) {
   const char* const plural = d.faults.size() == 1 ? "" : "s";
   const char* const verb = d.faults.size() == 1 ? "explains" : "explain";
   std::printf("%s: %zu fault%s %s %s (%s)\n", options.image.c_str(), d.faults.size(), plural, verb,
               d.explains_all() ? "it" : "a part of it", d.encoding.in_words().c_str());
   if (!d.explains_all())
     std::printf("  %zu of %zu pixels have another cause\n", d.unexplained_pixels, d.pixels);
-  for (const references::FoundFault& found : d.faults) print(found, options.hint);
+  for (const diagnosis::FoundFault& found : d.faults) print(found, options.hint);
 }
 
 /// What is certain though not all is explained, and what is no mistake.
-void print_certain(const references::Diagnosis& d) {
-  if (d.certain.camera == references::Certainty::right) std::printf("camera: right\n");
-  if (d.certain.shadows == references::Certainty::right) std::printf("shadows: right\n");
-  if (d.certain.shading == references::Certainty::right) std::printf("shading: right\n");
-  for (const references::Habit& habit : d.habits)
+void print_certain(const diagnosis::Diagnosis& d) {
+  if (d.certain.camera == diagnosis::Certainty::right) std::printf("camera: right\n");
+  if (d.certain.shadows == diagnosis::Certainty::right) std::printf("shadows: right\n");
+  if (d.certain.shading == diagnosis::Certainty::right) std::printf("shading: right\n");
+  for (const diagnosis::Habit& habit : d.habits)
     std::printf("habit: %s (%.3g %.3g %.3g)\n", habit.title.c_str(), habit.value.r, habit.value.g,
                 habit.value.b);
 }
 
 /// Of another scene are pictures in which hardly anything is right.
-void print_unexplained(const Options& options, const references::Diagnosis& d) {
-  const bool is_other = 2 * d.pixels_over > d.pixels && d.certain.camera == references::Certainty::unknown;
-  const std::string why = d.is_of_one_colour ? std::string("; ") + references::one_colour_tells_nothing
+void print_unexplained(const Options& options, const diagnosis::Diagnosis& d) {
+  const bool is_other = 2 * d.pixels_over > d.pixels && d.certain.camera == diagnosis::Certainty::unknown;
+  const std::string why = d.is_of_one_colour ? std::string("; ") + diagnosis::one_colour_tells_nothing
                           : is_other         ? "; is it a picture of this scene?"
                                              : "";
   std::printf("%s: no set of known faults explains it%s\n", options.image.c_str(), why.c_str());
 }
 
-void print(const Options& options, const references::Diagnosis& d) {
+void print(const Options& options, const diagnosis::Diagnosis& d) {
   switch (d.verdict) {
-    case references::PictureVerdict::right:
+    case diagnosis::PictureVerdict::right:
       std::printf("%s: right (%s)", options.image.c_str(), d.encoding.in_words().c_str());
       std::printf(d.edges == 0   ? "\n"
                   : d.edges == 1 ? ", 1 pixel of it proven to lie on an edge\n"
                                  : ", %zu pixels of it proven to lie on an edge\n",
                   d.edges);
       return;
-    case references::PictureVerdict::right_apart:
+    case diagnosis::PictureVerdict::right_apart:
       std::printf("%s: %s (%s)\n", options.image.c_str(), summary_of(d).c_str(),
                   d.encoding.in_words().c_str());
       break;
-    case references::PictureVerdict::faults:
+    case diagnosis::PictureVerdict::faults:
       print_faults(options, d);
       break;
-    case references::PictureVerdict::unexplained:
+    case diagnosis::PictureVerdict::unexplained:
       print_unexplained(options, d);
       break;
   }
@@ -163,14 +163,14 @@ void print(const std::vector<TellApart>& tell_apart, int hint) {
   if (hint < 3) return;
   for (const TellApart& group : tell_apart) {
     std::printf("to tell apart");
-    for (const references::Fault* fault : group.faults) std::printf(" %s", text_of(fault->id).c_str());
+    for (const faults::Fault* fault : group.faults) std::printf(" %s", text_of(fault->id).c_str());
     std::printf(": %s\n", group.scene ? ("diagnose a picture of tests/scenes/" + *group.scene).c_str()
                                       : "no scene of plumb's does it");
   }
 }
 
-int exit_code_of(const references::Diagnosis& diagnosis) {
-  if (diagnosis.verdict == references::PictureVerdict::right) return exit_agrees;
+int exit_code_of(const diagnosis::Diagnosis& diagnosis) {
+  if (diagnosis.verdict == diagnosis::PictureVerdict::right) return exit_agrees;
   return diagnosis.tells_something() ? exit_differs : exit_abstains;
 }
 
@@ -214,26 +214,26 @@ int run_diagnose(const Options& options) {
   const Scene scene = load_scene(options.scene, options.picture.dialect, warn);
   Shot shot = shot_of(scene, options.picture);
   const PixelRows rows = open_image(options.image);
-  if (const auto complaint = references::complaint_about_contents(rows))
-    throw std::invalid_argument(options.image + ": " + references::printable(*complaint));
+  if (const auto complaint = diagnosis::complaint_about_contents(rows))
+    throw std::invalid_argument(options.image + ": " + submissions::printable(*complaint));
   check_size(options, rows, shot);
-  const std::string not_looked_at = references::printable(references::not_looked_at(rows));
+  const std::string not_looked_at = submissions::printable(diagnosis::not_looked_at(rows));
   if (!not_looked_at.empty()) warn(options.image + ": not looked at: " + not_looked_at);
   const ImageFile seen = image_of(rows);
   shot.width = seen.width;
   shot.height = seen.height;
-  const references::Diagnosis diagnosis =
-      references::diagnose(scene, shot.camera, job_of(shot), seen, options.tolerance);
+  const diagnosis::Diagnosis diagnosis =
+      diagnosis::diagnose(scene, shot.camera, job_of(shot), seen, options.tolerance);
   const auto tell_apart = options.hint == 3 ? scenes_that_tell_apart(diagnosis) : std::vector<TellApart>{};
   if (options.json != "-") {
     print(options, diagnosis);
     print(tell_apart, options.hint);
   }
   if (!options.json.empty())
-    references::write_json(options.json, to_json(options, diagnosis, tell_apart, not_looked_at));
+    report::write_json(options.json, to_json(options, diagnosis, tell_apart, not_looked_at));
   if (options.report.empty()) return exit_code_of(diagnosis);
-  references::write_diagnosis(
-      options.report, {options.image, shot, seen, diagnosis, tell_apart, not_looked_at}, options.hint);
+  report::write_diagnosis(options.report, {options.image, shot, seen, diagnosis, tell_apart, not_looked_at},
+                          options.hint);
   if (options.json != "-") std::printf("report: %s/diagnose.html\n", options.report.c_str());
   return exit_code_of(diagnosis);
 }

@@ -22,7 +22,7 @@ struct Options {
   int y = 0;
   bool stored = false;
   std::string json;
-  references::PictureOptions picture;
+  gates::PictureOptions picture;
 };
 
 /// The reference's colour of the pixel, or why there is none.
@@ -36,10 +36,10 @@ constexpr double time_limit_when_cut_seconds = 10;
 
 ReferencePixel reference_pixel(const Options& options, const Shot& shot, bool is_cut) {
   try {
-    references::ReferenceOptions asked;
+    renderers::ReferenceOptions asked;
     asked.stored = options.stored;
     if (is_cut) asked.time_limit_seconds = time_limit_when_cut_seconds;
-    const auto renderer = references::reference_renderer(asked).renderer;
+    const auto renderer = renderers::reference_renderer(asked).renderer;
     const Image image = renderer->render(shot).image;
     if (const std::string complaint = renderer->complaint(); !complaint.empty()) warn(complaint);
     const float* const p = image.pixel(options.x, options.y);
@@ -53,10 +53,10 @@ void print_colour(const char* name, const Rgbd& c, const std::string& from) {
   std::printf("%-11s%.9g %.9g %.9g%s\n", name, c.x, c.y, c.z, from.c_str());
 }
 
-void print_tree(const Options& options, const Shot& shot, const references::RayNode& tree) {
-  const std::string note = references::cut_note(tree);
+void print_tree(const Options& options, const Shot& shot, const attribution::RayNode& tree) {
+  const std::string note = report::cut_note(tree);
   std::printf("pixel (%d, %d) of %s, %d x %d\n%s", options.x, options.y, options.scene.c_str(), shot.width,
-              shot.height, references::explain_text(shot.scene, tree).c_str());
+              shot.height, report::explain_text(shot.scene, tree).c_str());
   if (!note.empty()) std::printf("note       %s\n", note.c_str());
   print_colour("ours", tree.colour, note.empty() ? "" : "   of the rays that were traced");
   flush_output();  // the reference renders the whole picture, which may take a while
@@ -66,31 +66,31 @@ void print_tree(const Options& options, const Shot& shot, const references::RayN
 /// traced here: the picture may take for ever.
 std::optional<Rgbd> engine_pixel(const Options& options, const Shot& shot, bool is_cut) {
   if (is_cut) return std::nullopt;
-  const Image image = references::OurRenderer(references::OwnTracer::engine).render(shot).image;
+  const Image image = renderers::OurRenderer(renderers::OwnTracer::engine).render(shot).image;
   const float* const p = image.pixel(options.x, options.y);
   return Rgbd(p[0], p[1], p[2]);
 }
 
 /// Of two tracers that agree nothing is said.
-std::string note_of(const references::RayNode& tree, const std::optional<Rgbd>& engine) {
-  return engine ? references::engine_note(tree.colour, *engine) : std::string();
+std::string note_of(const attribution::RayNode& tree, const std::optional<Rgbd>& engine) {
+  return engine ? report::engine_note(tree.colour, *engine) : std::string();
 }
 
-void print_engine(const references::RayNode& tree, const std::optional<Rgbd>& engine) {
+void print_engine(const attribution::RayNode& tree, const std::optional<Rgbd>& engine) {
   const std::string note = note_of(tree, engine);
   if (!note.empty()) print_colour("engine", *engine, "   " + note);
 }
 
-void print_reference(const references::RayNode& tree, const ReferencePixel& reference) {
+void print_reference(const attribution::RayNode& tree, const ReferencePixel& reference) {
   if (!reference.colour) {
     std::printf("reference  none: %s\n", reference.from.c_str());
     return;
   }
   print_colour("reference", *reference.colour, "   " + reference.from);
-  if (!references::is_cut(tree)) print_colour("difference", tree.colour - *reference.colour, "");
+  if (!attribution::is_cut(tree)) print_colour("difference", tree.colour - *reference.colour, "");
 }
 
-Json to_json(const Options& options, const Shot& shot, const references::RayNode& tree,
+Json to_json(const Options& options, const Shot& shot, const attribution::RayNode& tree,
              const std::optional<Rgbd>& engine, const ReferencePixel& reference) {
   const auto list = [](const Rgbd& c) { return Json{c.x, c.y, c.z}; };
   return {{"tool", "plumb"},
@@ -105,9 +105,9 @@ Json to_json(const Options& options, const Shot& shot, const references::RayNode
           {"engine_note", note_of(tree, engine)},
           {"reference", reference.colour ? list(*reference.colour) : Json()},
           {"reference_from", reference.from},
-          {"is_cut", references::is_cut(tree)},
-          {"note", references::cut_note(tree)},
-          {"tree", references::explain_json(shot.scene, tree)}};
+          {"is_cut", attribution::is_cut(tree)},
+          {"note", report::cut_note(tree)},
+          {"tree", report::explain_json(shot.scene, tree)}};
 }
 
 Shot shot_with_pixel(const Scene& scene, const Options& options) {
@@ -121,19 +121,19 @@ Shot shot_with_pixel(const Scene& scene, const Options& options) {
 int run_explain(const Options& options) {
   const Scene scene = load_scene(options.scene, options.picture.dialect, warn);
   const Shot shot = shot_with_pixel(scene, options);
-  const references::TreeTracer tracer(shot);
-  const references::RayNode tree = tracer.tree_of(options.x, options.y);
+  const attribution::TreeTracer tracer(shot);
+  const attribution::RayNode tree = tracer.tree_of(options.x, options.y);
   const bool prints = options.json != "-";
   if (prints) print_tree(options, shot, tree);
-  const std::optional<Rgbd> engine = engine_pixel(options, shot, references::is_cut(tree));
+  const std::optional<Rgbd> engine = engine_pixel(options, shot, attribution::is_cut(tree));
   if (prints) print_engine(tree, engine);
-  const ReferencePixel reference = reference_pixel(options, shot, references::is_cut(tree));
+  const ReferencePixel reference = reference_pixel(options, shot, attribution::is_cut(tree));
   if (prints) print_reference(tree, reference);
   if (options.json.empty()) return exit_agrees;
   const Json json = to_json(options, shot, tree, engine, reference);
   // Indented, 3,000 rays of depth 256 are hundreds of megabytes of blanks.
-  const int indent = references::is_cut(tree) ? -1 : 2;
-  write_file(options.json, references::json_text_of_any_bytes(json, indent) + "\n");
+  const int indent = attribution::is_cut(tree) ? -1 : 2;
+  write_file(options.json, system::json_text_of_any_bytes(json, indent) + "\n");
   return exit_agrees;
 }
 

@@ -20,7 +20,7 @@ struct Options {
   std::string scene;
   Target to = Target::povray;
   std::string file = "-";
-  references::PictureOptions picture;
+  gates::PictureOptions picture;
 };
 
 /// A file for POV-Ray's command line, which wants a name with blanks in quotes of its own. A control
@@ -34,12 +34,12 @@ std::string word_for(const std::string& option, const std::string& file) {
 }
 
 /// How POV-Ray is run on the file, as verify runs it. The text that references are kept for begins behind it.
-std::string head(const Options& options, const references::PovrayJob& job) {
+std::string head(const Options& options, const renderers::PovrayJob& job) {
   namespace fs = std::filesystem;
   const bool is_named = options.file != "-";
   const fs::path file = is_named ? fs::path(options.file) : fs::path(options.scene).stem() += ".pov";
   std::string line = "// povray";
-  for (const std::string& argument : references::povray_arguments(job)) {
+  for (const std::string& argument : renderers::povray_arguments(job)) {
     if (argument == "+Iin.pov")
       line += word_for("+I", file.filename().string());
     else if (argument == "+Oout.png")
@@ -56,7 +56,7 @@ int run_export(const Options& options) {
   const auto exported = exporters::export_povray(shot);
   if (exported.needs_flat_objects)
     warn("the eye is inside glass, or surfaces coincide: run POV-Ray with -MB");
-  const references::PovrayJob job{exported.text, shot.width, shot.height, exported.needs_flat_objects};
+  const renderers::PovrayJob job{exported.text, shot.width, shot.height, exported.needs_flat_objects};
   write_file(options.file, head(options, job) + exported.text);
   return exit_agrees;
 }

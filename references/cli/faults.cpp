@@ -19,10 +19,9 @@
 namespace plumb::cli {
 namespace {
 
-namespace teaching = references::teaching;
-using references::Json;
+using Json = nlohmann::ordered_json;
 
-void print(const references::Fault& fault) {
+void print(const faults::Fault& fault) {
   std::printf("%.*s (%d, %.*s; %.*s)\n    %.*s\n    wrong: %.*s\n    right: %.*s\n",
               static_cast<int>(fault.id.size()), fault.id.data(), fault.catalogue,
               static_cast<int>(fault.slide.size()), fault.slide.data(),
@@ -40,15 +39,15 @@ struct Options {
 
 void write_pages(const std::string& directory) {
   Progress progress("pictures of faults");
-  const std::string page = references::faults_page(data_directory(Data::scenes),
-                                                   [&](double fraction) { progress.show(fraction); });
+  const std::string page =
+      report::faults_page(data_directory(Data::scenes), [&](double fraction) { progress.show(fraction); });
   std::filesystem::create_directories(directory);
-  references::refuse_to_replace_others(directory + "/index.html");
+  report::refuse_to_replace_others(directory + "/index.html");
   write_file(directory + "/index.html", page);
 }
 
 int run_faults(const Options& options) {
-  Json json = references::faults_json();
+  Json json = report::faults_json();
   if (!options.corpus.empty()) {
     Progress progress("faults in scenes");
     const teaching::Matrix matrix(teaching::lessons_in(options.corpus),
@@ -56,11 +55,11 @@ int run_faults(const Options& options) {
     const teaching::TeachingSet set = teaching::teaching_set(matrix);
     progress.clear();
     if (options.json != "-") std::fputs(teaching::markdown_of(matrix, set).c_str(), stdout);
-    json["corpus"] = references::corpus_json(matrix, set);
+    json["corpus"] = report::corpus_json(matrix, set);
   } else if (options.json != "-" && options.report.empty()) {
-    for (const references::Fault& fault : references::fault_catalogue()) print(fault);
+    for (const faults::Fault& fault : faults::fault_catalogue()) print(fault);
   }
-  if (!options.json.empty()) references::write_json(options.json, json);
+  if (!options.json.empty()) report::write_json(options.json, json);
   if (!options.report.empty()) {
     write_pages(options.report);
     if (options.json != "-") say_report(options.report);
@@ -70,15 +69,15 @@ int run_faults(const Options& options) {
 
 }  // namespace
 
-std::vector<const references::Fault*> faults_named(const std::string& ids) {
-  std::vector<const references::Fault*> faults;
+std::vector<const faults::Fault*> faults_named(const std::string& ids) {
+  std::vector<const faults::Fault*> faults;
   for (std::size_t begin = 0; begin <= ids.size();) {
     const std::size_t end = std::min(ids.find(',', begin), ids.size());
     const std::string id = ids.substr(begin, end - begin);
-    const references::Fault* fault = references::find_fault(id);
+    const faults::Fault* fault = faults::find_fault(id);
     if (fault == nullptr) {
       std::vector<std::string_view> known;
-      for (const references::Fault& f : references::fault_catalogue()) known.push_back(f.id);
+      for (const faults::Fault& f : faults::fault_catalogue()) known.push_back(f.id);
       const auto near = nearest_name(id, known);
       throw std::invalid_argument("--fault: found " + in_quotes(id) +
                                   ", expected an id that plumb faults lists" +

@@ -27,7 +27,7 @@ struct Options {
   std::optional<std::uint64_t> shuffle;
   ConfinedOptions confined;
   JudgeOutputs outputs;
-  references::JudgeOptions judge;
+  submissions::JudgeOptions judge;
 };
 
 std::vector<std::string> command_of(const ConfinedOptions& options) {
@@ -37,12 +37,12 @@ std::vector<std::string> command_of(const ConfinedOptions& options) {
   return command;
 }
 
-void set_command(const Options& options, references::JudgeOptions& judge) {
+void set_command(const Options& options, submissions::JudgeOptions& judge) {
   judge.command = command_of(options.confined);
-  if (!references::mentions(judge.command, "scene"))
+  if (!submissions::mentions(judge.command, "scene"))
     throw std::invalid_argument("--renderer: found no {scene} in `" + options.confined.renderer +
                                 "`, expected e.g. 'my-tracer {scene} {image}'");
-  if (references::mentions(judge.command, "submission") == options.submissions.empty())
+  if (submissions::mentions(judge.command, "submission") == options.submissions.empty())
     throw std::invalid_argument(
         "--submissions and {submission} in --renderer: expected both or neither; "
         "e.g. --renderer '{submission}/tracer {scene} {image}' --submissions class");
@@ -52,7 +52,7 @@ void set_command(const Options& options, references::JudgeOptions& judge) {
 
 /// What no option says by itself.
 void complete(Options& options) {
-  references::JudgeOptions& judge = options.judge;
+  submissions::JudgeOptions& judge = options.judge;
   if (!options.confined.renderer.empty()) set_command(options, judge);
   judge.readable = readable_paths(options.confined);
   judge.limits = limits_of(options.confined);
@@ -61,9 +61,9 @@ void complete(Options& options) {
 }
 
 /// A script that runs the submissions may lie among them.
-std::vector<references::Submission> without_command(std::vector<references::Submission> all,
-                                                    const references::JudgeOptions& judge) {
-  std::erase_if(all, [&](const references::Submission& submission) {
+std::vector<submissions::Submission> without_command(std::vector<submissions::Submission> all,
+                                                     const submissions::JudgeOptions& judge) {
+  std::erase_if(all, [&](const submissions::Submission& submission) {
     std::error_code none;
     return std::any_of(judge.command.begin(), judge.command.end(),
                        [&](const std::string& word) { return fs::equivalent(word, submission.path, none); });
@@ -71,12 +71,12 @@ std::vector<references::Submission> without_command(std::vector<references::Subm
   const bool are_directories = std::any_of(judge.command.begin(), judge.command.end(), [](const auto& word) {
     return word.find("{submission}/") != std::string::npos;
   });
-  std::erase_if(all, [&](const references::Submission& submission) {
+  std::erase_if(all, [&](const submissions::Submission& submission) {
     std::error_code none;
     const bool is_file = are_directories && fs::is_regular_file(fs::symlink_status(submission.path, none));
     if (is_file)
       warn("--submissions: not judged, for it is a file, and --renderer looks into directories: " +
-           references::printable(submission.name));
+           submissions::printable(submission.name));
     return is_file;
   });
   if (all.empty())
@@ -85,10 +85,10 @@ std::vector<references::Submission> without_command(std::vector<references::Subm
   return all;
 }
 
-std::vector<references::Submission> submissions_of(const Options& options) {
-  if (!options.images.empty()) return references::pictures_in(options.images);
+std::vector<submissions::Submission> submissions_of(const Options& options) {
+  if (!options.images.empty()) return submissions::pictures_in(options.images);
   if (!options.submissions.empty())
-    return without_command(references::submissions_in(options.submissions), options.judge);
+    return without_command(submissions::submissions_in(options.submissions), options.judge);
   return {{options.confined.renderer, ""}};
 }
 
@@ -103,18 +103,18 @@ void check_options(const Options& options) {
 }
 
 /// Varies the scenes when that is asked for, and says which could not be.
-references::RunFacts shuffle(const Options& options, const Dialect& dialect,
-                             std::vector<references::JudgedScene>& scenes) {
-  references::RunFacts facts;
+report::RunFacts shuffle(const Options& options, const Dialect& dialect,
+                         std::vector<submissions::JudgedScene>& scenes) {
+  report::RunFacts facts;
   facts.seed = options.shuffle;
   if (!facts.seed) return facts;
   Progress progress("varying the scenes");
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     progress.show(static_cast<double>(i) / static_cast<double>(scenes.size()));
-    if (auto varied = references::shuffled(scenes[i], *facts.seed, dialect))
+    if (auto varied = submissions::shuffled(scenes[i], *facts.seed, dialect))
       scenes[i] = std::move(*varied);
     else
-      facts.unvaried.push_back(references::shown_name(scenes[i].name));
+      facts.unvaried.push_back(submissions::shown_name(scenes[i].name));
   }
   progress.clear();
   for (const std::string& scene : facts.unvaried)
@@ -124,13 +124,13 @@ references::RunFacts shuffle(const Options& options, const Dialect& dialect,
 
 /// The pictures that nobody judges, which is said.
 std::vector<std::string> of_no_scene(const Options& options,
-                                     const std::vector<references::Submission>& submissions,
-                                     const std::vector<references::JudgedScene>& scenes) {
+                                     const std::vector<submissions::Submission>& submissions,
+                                     const std::vector<submissions::JudgedScene>& scenes) {
   constexpr std::size_t most_named = 5;
-  const std::vector<std::string> all = references::pictures_of_no_scene(options.images, submissions, scenes);
+  const std::vector<std::string> all = submissions::pictures_of_no_scene(options.images, submissions, scenes);
   std::string named;
   for (std::size_t i = 0; i < std::min(most_named, all.size()); ++i)
-    named += (i == 0 ? "" : ", ") + references::printable(all[i]);
+    named += (i == 0 ? "" : ", ") + submissions::printable(all[i]);
   if (all.size() > most_named) named += " and " + std::to_string(all.size() - most_named) + " more";
   if (!all.empty())
     warn(
@@ -140,38 +140,38 @@ std::vector<std::string> of_no_scene(const Options& options,
   return all;
 }
 
-int exit_code_of(const std::vector<references::JudgedPicture>& all) {
-  const auto any = [&](references::Judged verdict) {
+int exit_code_of(const std::vector<submissions::JudgedPicture>& all) {
+  const auto any = [&](submissions::Judged verdict) {
     return std::any_of(all.begin(), all.end(), [&](const auto& p) { return p.verdict == verdict; });
   };
-  if (any(references::Judged::trouble) || any(references::Judged::not_judged)) return exit_trouble;
-  const auto is_right = [](const auto& p) { return p.verdict == references::Judged::right; };
+  if (any(submissions::Judged::trouble) || any(submissions::Judged::not_judged)) return exit_trouble;
+  const auto is_right = [](const auto& p) { return p.verdict == submissions::Judged::right; };
   return std::all_of(all.begin(), all.end(), is_right) ? exit_agrees : exit_differs;
 }
 
 int run_judge(Options& options) {
   check_options(options);
   complete(options);
-  references::JudgeOptions& judge = options.judge;
+  submissions::JudgeOptions& judge = options.judge;
   const auto submissions = submissions_of(options);
-  auto scenes = references::scenes_to_judge(options.scenes, judge.dialect);
-  references::RunFacts facts = shuffle(options, judge.dialect, scenes);
-  if (!judge.command.empty()) facts.not_enforced = references::limits_not_enforced();
+  auto scenes = submissions::scenes_to_judge(options.scenes, judge.dialect);
+  report::RunFacts facts = shuffle(options, judge.dialect, scenes);
+  if (!judge.command.empty()) facts.not_enforced = submissions::limits_not_enforced();
   if (!facts.not_enforced.empty()) warn("judge: " + facts.not_enforced);
   if (!options.images.empty()) facts.of_no_scene = of_no_scene(options, submissions, scenes);
   const auto journal = open_journal(options.outputs);
   facts.journal = judge.journal = journal.get();
-  const references::Interrupts interrupts;
+  const submissions::Interrupts interrupts;
   Progress progress("judging");
   bool is_well = true;
   judge.progress = [&](double fraction) { progress.show(fraction); };
-  judge.stops = &references::Interrupts::came;
+  judge.stops = &submissions::Interrupts::came;
   judge.complain = [&](const std::string& what) {
     is_well = false;
     progress.clear();
     warn(what);
   };
-  const auto all = references::judge_all(submissions, scenes, judge);
+  const auto all = submissions::judge_all(submissions, scenes, judge);
   progress.clear();
   print(options.outputs, all, facts);
   is_well &= write_all(options.outputs, all, facts, scenes);
@@ -219,7 +219,7 @@ Table what_options(Options& options) {
            {.value = "PATH"}}};
 }
 
-Table judge_options(references::JudgeOptions& judge) {
+Table judge_options(submissions::JudgeOptions& judge) {
   return {{"--jobs", &judge.jobs, "pictures at once", {.shows_default = true, .range = within(1, 256)}},
           depth_option(judge.render.depth, "recursion depth of the right picture"),
           {"--tolerance",

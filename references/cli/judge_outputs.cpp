@@ -18,15 +18,15 @@
 namespace plumb::cli {
 namespace {
 
-using references::Judged;
-using references::JudgedPicture;
-using references::printable;
+using submissions::Judged;
+using submissions::JudgedPicture;
+using submissions::printable;
 
 void print(const JudgedPicture& picture, int hint) {
   std::string why = picture.message;
   if (picture.verdict == Judged::faults)
-    for (const references::FoundFault& found : picture.diagnosis->faults)
-      why += (why.empty() ? "" : "; ") + references::found_in_words(found, hint);
+    for (const diagnosis::FoundFault& found : picture.diagnosis->faults)
+      why += (why.empty() ? "" : "; ") + report::found_in_words(found, hint);
   std::printf("%-18s %s  %s  %s\n", to_string(picture.verdict), printable(picture.submission).c_str(),
               printable(picture.scene).c_str(), printable(why).c_str());
 }
@@ -53,12 +53,12 @@ std::string journal_path(const JudgeOutputs& outputs) {
   return {};
 }
 
-void write_scenes(const std::filesystem::path& folder, const std::vector<references::JudgedScene>& scenes) {
+void write_scenes(const std::filesystem::path& folder, const std::vector<submissions::JudgedScene>& scenes) {
   std::filesystem::create_directories(folder);
-  for (const references::JudgedScene& scene : scenes) write_file(folder / (scene.name + ".sdf"), scene.text);
+  for (const submissions::JudgedScene& scene : scenes) write_file(folder / (scene.name + ".sdf"), scene.text);
 }
 
-void print_summary(const std::vector<JudgedPicture>& all, const references::RunFacts& facts) {
+void print_summary(const std::vector<JudgedPicture>& all, const report::RunFacts& facts) {
   for (const std::string& scene : facts.unvaried)
     std::printf("%s is judged as it is: no variation of it shows the same faults\n",
                 printable(scene).c_str());
@@ -72,7 +72,7 @@ void print_summary(const std::vector<JudgedPicture>& all, const references::RunF
   std::printf("%zu submission%s, %zu scene%s: %td of %zu picture%s right\n", submissions.size(),
               submissions.size() == 1 ? "" : "s", scenes, scenes == 1 ? "" : "s", right, all.size(),
               all.size() == 1 ? " is" : "s are");
-  if (const std::size_t done = references::judged_count(all); done != all.size())
+  if (const std::size_t done = report::judged_count(all); done != all.size())
     std::printf("interrupted: %zu of %zu pictures were not judged; the same command goes on\n",
                 all.size() - done, all.size());
 }
@@ -106,7 +106,7 @@ Table judge_output_options(JudgeOutputs& outputs) {
 void check(const JudgeOutputs& outputs) {
   const std::array files{outputs.json, outputs.csv, outputs.junit};
   if (!outputs.report.empty())  // before hours of judging
-    references::refuse_to_replace_others((std::filesystem::path(outputs.report) / "index.html").string());
+    report::refuse_to_replace_others((std::filesystem::path(outputs.report) / "index.html").string());
   if (std::count(files.begin(), files.end(), "-") > 1)
     throw std::invalid_argument("--json, --csv, --junit: found - more than once, expected a FILE");
 }
@@ -123,11 +123,11 @@ std::vector<std::string> places_of_results(const JudgeOutputs& outputs) {
   return all;
 }
 
-std::unique_ptr<references::Journal> open_journal(const JudgeOutputs& outputs) {
+std::unique_ptr<submissions::Journal> open_journal(const JudgeOutputs& outputs) {
   const std::string path = journal_path(outputs);
   if (path.empty()) return nullptr;
   if (!outputs.report.empty()) std::filesystem::create_directories(outputs.report);
-  auto journal = std::make_unique<references::Journal>(path);
+  auto journal = std::make_unique<submissions::Journal>(path);
   if (journal->found() > 0)
     warn("going on with " + path + ": an earlier run left " + std::to_string(journal->found()) +
          " results there; those whose inputs have not changed are taken");
@@ -135,24 +135,22 @@ std::unique_ptr<references::Journal> open_journal(const JudgeOutputs& outputs) {
 }
 
 bool write_all(const JudgeOutputs& outputs, const std::vector<JudgedPicture>& all,
-               const references::RunFacts& facts, const std::vector<references::JudgedScene>& scenes) {
+               const report::RunFacts& facts, const std::vector<submissions::JudgedScene>& scenes) {
   const int hint = outputs.hint;
   bool is_well = is_written(outputs.report, [&] {
-    references::write_overview(outputs.report, all, hint, facts);
+    report::write_overview(outputs.report, all, hint, facts);
     if (facts.seed) write_scenes(std::filesystem::path(outputs.report) / "scenes", scenes);
     if (says_on_terminal(outputs)) say_report(outputs.report);
   });
-  is_well &= is_written(outputs.csv, [&] { write_file(outputs.csv, references::overview_csv(all, hint)); });
-  is_well &=
-      is_written(outputs.junit, [&] { write_file(outputs.junit, references::overview_junit(all, hint)); });
-  is_well &= is_written(outputs.json, [&] {
-    references::write_json(outputs.json, references::overview_json(all, hint, facts));
-  });
+  is_well &= is_written(outputs.csv, [&] { write_file(outputs.csv, report::overview_csv(all, hint)); });
+  is_well &= is_written(outputs.junit, [&] { write_file(outputs.junit, report::overview_junit(all, hint)); });
+  is_well &= is_written(outputs.json,
+                        [&] { report::write_json(outputs.json, report::overview_json(all, hint, facts)); });
   return is_well;
 }
 
 void print(const JudgeOutputs& outputs, const std::vector<JudgedPicture>& all,
-           const references::RunFacts& facts) {
+           const report::RunFacts& facts) {
   if (!says_on_terminal(outputs)) return;
   for (const JudgedPicture& picture : all) {
     if (picture.verdict != Judged::not_judged) print(picture, outputs.hint);

@@ -27,15 +27,15 @@ std::vector<std::string> places_of_results(const JudgeOutputs& outputs);
 
 /// Opens the journal, and says what it holds of an earlier run. Null when nothing is written to a file.
 /// Throws std::runtime_error.
-std::unique_ptr<references::Journal> open_journal(const JudgeOutputs& outputs);
+std::unique_ptr<submissions::Journal> open_journal(const JudgeOutputs& outputs);
 
 /// Writes each of them. One that cannot be written is reported on standard error and does not stop the
 /// others. Returns true when all are written. Puts varied scenes beside the report.
-bool write_all(const JudgeOutputs& outputs, const std::vector<references::JudgedPicture>& all,
-               const references::RunFacts& facts, const std::vector<references::JudgedScene>& scenes);
+bool write_all(const JudgeOutputs& outputs, const std::vector<submissions::JudgedPicture>& all,
+               const report::RunFacts& facts, const std::vector<submissions::JudgedScene>& scenes);
 
 /// Prints the table for the terminal; nothing when a result goes to standard output.
-void print(const JudgeOutputs& outputs, const std::vector<references::JudgedPicture>& all,
-           const references::RunFacts& facts);
+void print(const JudgeOutputs& outputs, const std::vector<submissions::JudgedPicture>& all,
+           const report::RunFacts& facts);
 
 }  // namespace plumb::cli

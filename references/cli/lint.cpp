@@ -12,7 +12,7 @@
 namespace plumb::cli {
 namespace {
 
-using references::Json;
+using Json = nlohmann::ordered_json;
 
 struct Options {
   std::vector<std::string> scenes;
@@ -180,7 +180,7 @@ int run_lint(const Options& options) {
     scenes.push_back(to_json(linted));
   }
   if (!options.json.empty()) {
-    references::write_json(options.json, {{"tool", "plumb"}, {"version", PLUMB_VERSION}, {"scenes", scenes}});
+    report::write_json(options.json, {{"tool", "plumb"}, {"version", PLUMB_VERSION}, {"scenes", scenes}});
   }
   return all_readable ? exit_agrees : exit_trouble;
 }

@@ -18,7 +18,7 @@ struct Options {
   std::string scene;
   std::string json;
   double error = 1e-6;
-  references::PictureOptions picture;
+  gates::PictureOptions picture;
 };
 
 void check_size(const Shot& shot) {
@@ -36,12 +36,12 @@ int run_needs(const Options& options) {
   RenderJob job = job_of(shot);
   Progress progress("looking at " + options.scene);
   job.progress = [&](double fraction) { progress.show(fraction); };
-  const references::NeedsReport report{
-      options.scene, scene,         shot.width,
-      shot.height,   options.error, references::needs_of(scene, shot.camera, job, options.error)};
+  const report::NeedsReport report{options.scene, scene,
+                                   shot.width,    shot.height,
+                                   options.error, studies::needs_of(scene, shot.camera, job, options.error)};
   progress.clear();
   if (options.json != "-") std::printf("%s", as_text(report).c_str());
-  if (!options.json.empty()) references::write_json(options.json, to_json(report));
+  if (!options.json.empty()) report::write_json(options.json, to_json(report));
   return exit_agrees;
 }
 

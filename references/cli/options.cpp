@@ -14,7 +14,7 @@
 namespace plumb::cli {
 namespace {
 
-using references::PictureOptions;
+using gates::PictureOptions;
 
 constexpr int largest_side = 65535;
 constexpr double most_pixels = 1 << 28;
@@ -25,8 +25,8 @@ constexpr Word<RealType> real_types[] = {{"float", RealType::float32},
                                          {"double", RealType::float64},
                                          {"long-double", RealType::long_double},
                                          {"quad", RealType::quad}};
-constexpr Word<references::OwnTracer> tracers[] = {{"textbook", references::OwnTracer::textbook},
-                                                   {"engine", references::OwnTracer::engine}};
+constexpr Word<renderers::OwnTracer> tracers[] = {{"textbook", renderers::OwnTracer::textbook},
+                                                  {"engine", renderers::OwnTracer::engine}};
 
 std::optional<int> whole_number(std::string_view text) {
   int value = 0;

@@ -9,9 +9,9 @@
 #include "references/gates/picture_options.hpp"
 #include "tracer/scene/scene.hpp"
 
-namespace plumb::references {
+namespace plumb::faults {
 struct Fault;
-}  // namespace plumb::references
+}  // namespace plumb::faults
 
 namespace plumb::cli {
 
@@ -29,10 +29,10 @@ Option dialect_option(Dialect& dialect, std::string* name,
 Option depth_option(int& depth, const std::string& purpose, Rules rules = {});
 
 /// --size --camera --depth --glass-shadow --dialect
-Table scene_options(references::PictureOptions& picture);
+Table scene_options(gates::PictureOptions& picture);
 
 /// --real --engine
-Table tracer_options(references::PictureOptions& picture);
+Table tracer_options(gates::PictureOptions& picture);
 
 /// --tolerance, finite and >= 0.
 Option tolerance_option(double& tolerance);
@@ -48,14 +48,14 @@ std::string complaint_about_size(const std::string& text);
 
 /// The faults of these ids, joined by commas, in the order of the catalogue. Throws std::invalid_argument
 /// naming the one that is unknown.
-std::vector<const references::Fault*> faults_named(const std::string& ids);
+std::vector<const faults::Fault*> faults_named(const std::string& ids);
 
 /// The options that change the picture and differ from the default, each with a blank before it, quoted for a
 /// shell.
-std::string picture_arguments(const references::PictureOptions& options);
+std::string picture_arguments(const gates::PictureOptions& options);
 
 /// Those of plumb explain, which always traces in double by the textbook tracer.
-std::string explain_arguments(references::PictureOptions options);
+std::string explain_arguments(gates::PictureOptions options);
 
 /// Prints where the report was written; nothing when none was asked for.
 void say_report(const std::string& directory);

@@ -82,7 +82,7 @@ bool is_run(const Request::Given& given, const std::string& file) {
       if (!below.empty() && *below.begin() != "..") return true;
     }
     if (given.option != "--renderer") continue;
-    for (const std::string& word : references::split_command(value))
+    for (const std::string& word : submissions::split_command(value))
       if (fs::equivalent(word, file, none)) return true;
   }
   return false;

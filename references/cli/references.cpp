@@ -16,7 +16,6 @@ namespace plumb::cli {
 namespace {
 
 namespace fs = std::filesystem;
-namespace refs = references;
 
 /// The same renderer on another machine may round a float32 differently in its last bits.
 constexpr double tolerance = 1e-6;
@@ -45,26 +44,27 @@ std::string recorded_name(const std::string& path) {
   return fs::relative(path, source_directory()).string();
 }
 
-std::string complaint_about(const refs::StoredReferences& stored, const refs::StoredReference& entry,
-                            const refs::ProgramRenderer& renderer) {
+std::string complaint_about(const renderers::StoredReferences& stored,
+                            const renderers::StoredReference& entry,
+                            const renderers::ProgramRenderer& renderer) {
   const Scene scene = load_scene(path_of(entry.scene), Dialect{});
   const Shot shot = shot_of(scene, ShotOptions{});
-  if (refs::sha256(renderer.exported(shot).text) != entry.export_sha256)
+  if (system::sha256(renderer.exported(shot).text) != entry.export_sha256)
     return "the scene is exported to another text than then";
   const Image reference = stored.load(entry);
-  const auto c = refs::compare(reference, renderer.render(shot).image, tolerance);
+  const auto c = comparison::compare(reference, renderer.render(shot).image, tolerance);
   if (c.agrees()) return {};
   return std::to_string(c.pixels_over) + " pixels differ from " + renderer.facts().title + "'s, by up to " +
          std::to_string(c.max_error);
 }
 
 int check() {
-  const refs::StoredReferences stored(refs::StoredReferences::default_directory());
-  const auto renderer = refs::program_renderer({});
+  const renderers::StoredReferences stored(renderers::StoredReferences::default_directory());
+  const auto renderer = renderers::program_renderer({});
   const std::string version = renderer->version();
   const std::string& title = renderer->facts().title;
   std::size_t failures = 0;
-  for (const refs::StoredReference& entry : stored.all()) {
+  for (const renderers::StoredReference& entry : stored.all()) {
     std::string complaint;
     try {
       complaint = complaint_about(stored, entry, *renderer);
@@ -84,24 +84,24 @@ int check() {
 }
 
 int update(const std::vector<std::string>& scenes) {
-  refs::StoredReferences stored(refs::StoredReferences::default_directory());
-  const auto renderer = refs::program_renderer({});
+  renderers::StoredReferences stored(renderers::StoredReferences::default_directory());
+  const auto renderer = renderers::program_renderer({});
   const std::string version = renderer->version();
   for (const std::string& path : scenes) {
     const Scene scene = load_scene(path, Dialect{});
     const Shot shot = shot_of(scene, ShotOptions{});
-    const refs::ExportedShot now = renderer->exported(shot);
-    const refs::Rendered picture = renderer->render(shot);
-    if (picture.holds != refs::Holds::float32 || !picture.warnings.empty()) {
+    const renderers::ExportedShot now = renderer->exported(shot);
+    const renderers::Rendered picture = renderer->render(shot);
+    if (picture.holds != renderers::Holds::float32 || !picture.warnings.empty()) {
       throw std::runtime_error(path + ": not stored, " + renderer->facts().title +
                                " warns: " + picture.warnings);
     }
-    refs::StoredReference entry;
+    renderers::StoredReference entry;
     entry.scene = recorded_name(path);
     entry.image = fs::path(path).stem().string() + ".exr";
     entry.width = shot.width;
     entry.height = shot.height;
-    entry.export_sha256 = refs::sha256(now.text);
+    entry.export_sha256 = system::sha256(now.text);
     entry.renderer = now.renderer;
     entry.version = version;
     entry.command = now.command();

@@ -25,9 +25,9 @@
 namespace plumb::cli {
 namespace {
 
-using references::Json;
-using references::RegressedScene;
-using references::Status;
+using Json = nlohmann::ordered_json;
+using gates::RegressedScene;
+using gates::Status;
 
 struct Options {
   std::string program;  ///< as it was called
@@ -39,7 +39,7 @@ struct Options {
   std::string junit;
   std::string report;
   ConfinedOptions confined;
-  references::RegressOptions regress;
+  gates::RegressOptions regress;
 };
 
 /// The options that an update has to repeat, each with a blank before it.
@@ -73,11 +73,11 @@ std::string approve_command(const Options& options, const RegressedScene& scene)
 
 std::string with_command(const Options& options, const RegressedScene& scene) {
   const std::string command = approve_command(options, scene);
-  return message_of(scene) + (command.empty() ? "" : "\napprove with: " + command);
+  return report::message_of(scene) + (command.empty() ? "" : "\napprove with: " + command);
 }
 
 void print_row(const Options& options, const RegressedScene& scene, std::size_t width) {
-  std::printf("%s\n", table_row(scene.result, message_of(scene), width).c_str());
+  std::printf("%s\n", report::table_row(scene.result, report::message_of(scene), width).c_str());
   // Not indented: a name may have a line feed, and the command is to be copied as it is.
   const std::string command = approve_command(options, scene);
   if (!command.empty()) std::printf("      approve with: %s\n", command.c_str());
@@ -92,34 +92,33 @@ std::ptrdiff_t count(const std::vector<RegressedScene>& scenes, Status status) {
 Json to_json(const Options& options, const std::vector<RegressedScene>& scenes) {
   Json list = Json::array();
   for (const RegressedScene& scene : scenes) {
-    list.push_back(scene_json(scene.result, message_of(scene)));
-    if (scene.bounds)
-      list.back()["bounds"] = references::to_json(scene.bounds->bounds, scene.bounds->comparison);
+    list.push_back(report::scene_json(scene.result, report::message_of(scene)));
+    if (scene.bounds) list.back()["bounds"] = report::to_json(scene.bounds->bounds, scene.bounds->comparison);
     list.back()["approve"] = approve_command(options, scene);
   }
   return {{"tool", "plumb"},
           {"version", PLUMB_VERSION},
-          {"baselines", references::baselines_of(options.directory, options.regress.variant)},
+          {"baselines", gates::baselines_of(options.directory, options.regress.variant)},
           {"tolerance", options.regress.tolerance},
           {"scenes", list}};
 }
 
-references::JunitCase junit_case(const Options& options, const RegressedScene& scene) {
-  using Outcome = references::JunitCase::Outcome;
+report::JunitCase junit_case(const Options& options, const RegressedScene& scene) {
+  using Outcome = report::JunitCase::Outcome;
   const Status status = scene.result.status;
   const Outcome outcome = status == Status::agree    ? Outcome::passed
                           : status == Status::differ ? Outcome::failed
                                                      : Outcome::error;
-  const std::string message = message_without_bounds(scene);
-  const std::string of_passed = outcome == Outcome::passed ? message_of(scene) : "";
+  const std::string message = report::message_without_bounds(scene);
+  const std::string of_passed = outcome == Outcome::passed ? report::message_of(scene) : "";
   return {scene.name,    outcome,  message.substr(0, message.find('\n')), with_command(options, scene),
           scene.seconds, of_passed};
 }
 
 std::string to_junit(const Options& options, const std::vector<RegressedScene>& scenes) {
-  std::vector<references::JunitCase> cases;
+  std::vector<report::JunitCase> cases;
   for (const RegressedScene& scene : scenes) cases.push_back(junit_case(options, scene));
-  return references::junit_xml(options.directory, cases);
+  return report::junit_xml(options.directory, cases);
 }
 
 /// Each that is asked for, though the other cannot be written. Throws what the first of them throws.
@@ -130,18 +129,18 @@ void write_both(const Options& options, const Json& json, const std::string& jun
   } catch (const std::exception&) {
     trouble = std::current_exception();
   }
-  if (!options.json.empty()) references::write_json(options.json, json);
+  if (!options.json.empty()) report::write_json(options.json, json);
   if (trouble) std::rethrow_exception(trouble);
 }
 
 /// An error that ends all stands in the files, too: there is no result of an earlier run in their place.
 void write_trouble(const Options& options, const std::string& message) {
-  const references::JunitCase junit{"plumb regress", references::JunitCase::Outcome::error,
-                                    message.substr(0, message.find('\n')), message, 0};
+  const report::JunitCase junit{"plumb regress", report::JunitCase::Outcome::error,
+                                message.substr(0, message.find('\n')), message, 0};
   const Json json{
       {"tool", "plumb"}, {"version", PLUMB_VERSION}, {"error", message}, {"scenes", Json::array()}};
   try {
-    write_both(options, json, references::junit_xml(options.directory, {junit}));
+    write_both(options, json, report::junit_xml(options.directory, {junit}));
   } catch (const std::exception& error) {
     warn(error.what());
   }
@@ -153,28 +152,27 @@ void complete(Options& options, const Request& request) {
   options.regress.keeps_pictures = !options.report.empty();
   options.regress.bounds.limit.tolerance = options.regress.tolerance;
   if (options.confined.renderer.empty()) return;
-  options.regress.other = std::make_shared<references::ConfinedRenderer>(options.confined.renderer,
-                                                                         confined_command(options.confined));
+  options.regress.other = std::make_shared<submissions::ConfinedRenderer>(options.confined.renderer,
+                                                                          confined_command(options.confined));
 }
 
 /// Renders and compares all; prints a row of the table for each scene when it is done.
 std::vector<RegressedScene> run(const Options& options, bool table) {
-  const auto names = references::scene_names(options.directory);
+  const auto names = gates::scene_names(options.directory);
   std::vector<std::string> paths;
-  for (const auto& name : names) paths.push_back(references::scene_path(options.directory, name));
-  const std::size_t width = references::name_width(paths);
+  for (const auto& name : names) paths.push_back(gates::scene_path(options.directory, name));
+  const std::size_t width = report::name_width(paths);
   Progress progress("rendering " + options.directory);
   std::size_t done = 0;
-  references::RegressOptions regress = options.regress;
+  gates::RegressOptions regress = options.regress;
   regress.progress = [&](double fraction) {
     progress.show((static_cast<double>(done) + fraction) / static_cast<double>(names.size()));
   };
-  if (table) std::printf("%s\n", references::table_head(width).c_str());
-  references::SceneReport report(options.report, "plumb regress " + options.directory,
-                                 options.regress.tolerance);
+  if (table) std::printf("%s\n", report::table_head(width).c_str());
+  report::SceneReport report(options.report, "plumb regress " + options.directory, options.regress.tolerance);
   std::optional<std::string> explain;
   if (options.confined.renderer.empty()) explain = explain_arguments(options.regress);
-  const auto scenes = references::regress(options.directory, regress, [&](const RegressedScene& scene) {
+  const auto scenes = gates::regress(options.directory, regress, [&](const RegressedScene& scene) {
     ++done;
     progress.clear();
     if (table) print_row(options, scene, width);
@@ -202,7 +200,7 @@ int check(Options& options, const Request& request) {
   if (table) {
     std::printf("%zu scene%s against %s: %td agree, %td differ, %td in trouble\n", scenes.size(),
                 scenes.size() == 1 ? "" : "s",
-                references::baselines_of(options.directory, options.regress.variant).c_str(),
+                gates::baselines_of(options.directory, options.regress.variant).c_str(),
                 count(scenes, Status::agree), differ, trouble);
     say_report(options.report);
   }
@@ -210,7 +208,7 @@ int check(Options& options, const Request& request) {
   return differ > 0 ? exit_differs : exit_agrees;
 }
 
-void print_approved(const references::Approved& scene) {
+void print_approved(const gates::Approved& scene) {
   if (scene.is_gone) {
     std::printf("forgotten %s\n", scene.name.c_str());
     return;
@@ -238,12 +236,12 @@ int update(Options& options, const Request& request) {
   complete(options, request);
   Progress progress("rendering " + options.directory);
   options.regress.progress = [&](double fraction) { progress.show(fraction); };
-  const auto approved = references::approve(
-      options.directory, options.regress,
-      {options.update, options.all_new, options.because, references::author_in(options.directory), warn,
-       picture_arguments(options.regress)});
+  const auto approved =
+      gates::approve(options.directory, options.regress,
+                     {options.update, options.all_new, options.because, gates::author_in(options.directory),
+                      warn, picture_arguments(options.regress)});
   progress.clear();
-  for (const references::Approved& scene : approved) print_approved(scene);
+  for (const gates::Approved& scene : approved) print_approved(scene);
   if (approved.empty()) std::printf("nothing is new: every scene has a baseline\n");
   return exit_agrees;
 }
@@ -285,7 +283,7 @@ Table output_options(Options& options) {
 
 Command regress_command() {
   auto options = std::make_shared<Options>();
-  references::RegressOptions& regress = options->regress;
+  gates::RegressOptions& regress = options->regress;
   return {
       .name = "regress",
       .purpose = "Render the scenes of a directory and compare them with the images approved for them.",

@@ -20,8 +20,8 @@
 namespace plumb::cli {
 namespace {
 
-using references::ChosenForError;
-using references::RenderStatistics;
+using report::ChosenForError;
+using report::RenderStatistics;
 
 struct Options {
   std::string scene;
@@ -30,9 +30,9 @@ struct Options {
   std::optional<SamplePattern> pattern;
   bool prints_statistics = false;
   std::string statistics_json;
-  std::vector<const references::Fault*> faults;
+  std::vector<const faults::Fault*> faults;
   double error = 0;  ///< 0: none was asked for
-  references::PictureOptions picture;
+  gates::PictureOptions picture;
   RenderJob job;
 };
 
@@ -65,9 +65,9 @@ SamplePattern pattern_for(int samples) {
 void report(const Options& options, const RenderJob& job, RenderStatistics& statistics) {
   statistics.scene = options.scene;
   statistics.has_counts =
-      references::tracer_for(options.picture.tracer, job.real) == references::OwnTracer::engine;
+      renderers::tracer_for(options.picture.tracer, job.real) == renderers::OwnTracer::engine;
   statistics.engine = statistics.has_counts ? "engine" : "textbook";
-  statistics.real = references::to_string(job.real);
+  statistics.real = studies::to_string(job.real);
   statistics.width = job.width;
   statistics.height = job.height;
   if (options.prints_statistics) std::fprintf(stderr, "%s", as_text(statistics).c_str());
@@ -87,17 +87,17 @@ void refuse_too_many(const RenderJob& job) {
 }
 
 /// Renders by the cheapest configuration that keeps the error that was asked for, and says why.
-references::RenderedFile render_within_error(const Options& options, const Scene& scene, const Camera& camera,
-                                             RenderJob& job, const std::string& path, Encoding encoding,
-                                             RenderStatistics& statistics) {
+renderers::RenderedFile render_within_error(const Options& options, const Scene& scene, const Camera& camera,
+                                            RenderJob& job, const std::string& path, Encoding encoding,
+                                            RenderStatistics& statistics) {
   refuse_too_many(job);
-  references::Choice choice;
+  studies::Choice choice;
   try {
-    choice = references::choose(scene, camera, job, options.error);
-  } catch (const references::BoundNotReached& error) {
+    choice = studies::choose(scene, camera, job, options.error);
+  } catch (const studies::BoundNotReached& error) {
     throw std::runtime_error(options.scene + ": " + error.what());
   }
-  const std::string why = references::reason(choice, options.error, job.options.depth);
+  const std::string why = studies::reason(choice, options.error, job.options.depth);
   warn(why.substr(0, why.size() - 1));
   statistics.counts = choice.chosen.statistics;
   statistics.chosen = ChosenForError{options.error,
@@ -114,7 +114,7 @@ references::RenderedFile render_within_error(const Options& options, const Scene
 }
 
 /// Says what was written under a name that the scene chose.
-void put_in_place(const std::optional<references::UnaskedFile>& file, const std::string& name) {
+void put_in_place(const std::optional<renderers::UnaskedFile>& file, const std::string& name) {
   if (!file) return;
   file->put_in_place();
   std::printf("%s\n", name.c_str());
@@ -131,7 +131,7 @@ int render(Options& options) {
   if (const auto complaint = complaint_about(asked, encoding)) {
     throw std::invalid_argument(in_quotes(asked) + ": " + *complaint);
   }
-  std::optional<references::UnaskedFile> unasked;
+  std::optional<renderers::UnaskedFile> unasked;
   if (options.image.empty()) unasked.emplace(asked);
   const std::string path = unasked ? unasked->aside() : asked;
   if (path == "-" && options.statistics_json == "-")
@@ -143,15 +143,15 @@ int render(Options& options) {
   Progress progress("rendering " + options.scene);
   job.progress = [&](double fraction) { progress.show(fraction); };
   if (!options.faults.empty()) {
-    write_image(path, references::render_with(scene, shot.camera, job, options.faults), encoding);
+    write_image(path, faults::render_with(scene, shot.camera, job, options.faults), encoding);
     progress.clear();
     put_in_place(unasked, asked);
     return exit_agrees;
   }
-  const references::RenderedFile file =
+  const renderers::RenderedFile file =
       options.error > 0 ? render_within_error(options, scene, shot.camera, job, path, encoding, statistics)
-                        : references::render_to_file(options.picture.tracer, scene, shot.camera, job, path,
-                                                     encoding, &statistics.counts);
+                        : renderers::render_to_file(options.picture.tracer, scene, shot.camera, job, path,
+                                                    encoding, &statistics.counts);
   progress.clear();
   put_in_place(unasked, asked);
   statistics.write = file.write;

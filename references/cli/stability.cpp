@@ -20,17 +20,16 @@ struct Options {
 
 int run_stability(const Options& options) {
   Progress progress("stability");
-  references::stability::Sweep sweep{options.quick, options.condition,
-                                     [&](double fraction) { progress.show(fraction); },
-                                     references::Cache().directory()};
-  const auto found = references::stability::stability(sweep);
+  studies::stability::Sweep sweep{options.quick, options.condition,
+                                  [&](double fraction) { progress.show(fraction); },
+                                  renderers::Cache().directory()};
+  const auto found = studies::stability::stability(sweep);
   progress.clear();
-  if (options.json != "-") std::fputs(references::stability::table_of(found).c_str(), stdout);
-  if (!options.json.empty())
-    write_file(options.json, references::json_text(references::stability::to_json(found), 1) + "\n");
+  if (options.json != "-") std::fputs(report::table_of(found).c_str(), stdout);
+  if (!options.json.empty()) write_file(options.json, system::json_text(report::to_json(found), 1) + "\n");
   if (options.report.empty()) return exit_agrees;
   std::filesystem::create_directories(options.report);
-  write_file(options.report + "/stability.html", references::stability::page_of(found));
+  write_file(options.report + "/stability.html", report::page_of(found));
   if (options.json != "-") std::printf("%s/stability.html\n", options.report.c_str());
   return exit_agrees;
 }

@@ -18,34 +18,34 @@ struct Options {
   std::vector<std::string> scenes;
   std::string json;
   std::string report;
-  references::VerifyOptions verify;
+  gates::VerifyOptions verify;
 };
 
 int run_verify(Options& options) {
   options.verify.keeps_pictures = !options.report.empty();
   options.verify.on_notice = warn;
   const bool table = options.json != "-";
-  const std::size_t width = references::name_width(options.scenes);
+  const std::size_t width = report::name_width(options.scenes);
   std::size_t done = 0;
   Progress progress("verifying");
-  if (table) std::printf("%s\n", references::table_head(width).c_str());
-  references::SceneReport page(options.report, "plumb verify", options.verify.tolerance);
-  const auto report = references::verify(options.scenes, options.verify, [&](auto& result) {
+  if (table) std::printf("%s\n", report::table_head(width).c_str());
+  report::SceneReport page(options.report, "plumb verify", options.verify.tolerance);
+  const auto report = gates::verify(options.scenes, options.verify, [&](auto& result) {
     page.add(result, explain_arguments(options.verify));
     result.pictures.reset();
     progress.clear();
     if (table) {
-      std::printf("%s\n", table_row(result, message_of(result), width).c_str());
+      std::printf("%s\n", report::table_row(result, report::message_of(result), width).c_str());
       flush_output();
     }
     progress.show(static_cast<double>(++done) / static_cast<double>(options.scenes.size()));
   });
   progress.clear();
   if (!report.complaint.empty()) warn(report.complaint);
-  if (!options.json.empty()) references::write_json(options.json, to_json(report));
+  if (!options.json.empty()) report::write_json(options.json, report::to_json(report));
   page.finish();
   if (table) {
-    std::printf("%s\n", outcome(report).c_str());
+    std::printf("%s\n", report::outcome(report).c_str());
     say_report(options.report);
   }
   return report.exit_code();
@@ -55,7 +55,7 @@ int run_verify(Options& options) {
 
 Command verify_command() {
   auto options = std::make_shared<Options>();
-  references::VerifyOptions& verify = options->verify;
+  gates::VerifyOptions& verify = options->verify;
   return {.name = "verify",
           .purpose = "Render scenes, have POV-Ray render the equivalent export, and compare every pixel.",
           .footer =

@@ -8,7 +8,7 @@
 #include "references/comparison/comparison_exact.hpp"
 #include "references/comparison/comparison_kernels.hpp"
 
-namespace plumb::references {
+namespace plumb::comparison {
 namespace {
 
 bool is_within(const float* reference, const float* test, int channels, Limit limit) {
@@ -210,4 +210,4 @@ std::vector<PixelPlace> pixels_over(const Image& reference, const Image& test, L
   return places;
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::comparison

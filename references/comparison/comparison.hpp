@@ -11,7 +11,7 @@
 #include "tracer/image/pixel_place.hpp"
 #include "tracer/image/pixel_rows.hpp"
 
-namespace plumb::references {
+namespace plumb::comparison {
 
 struct PixelPair {
   int x = 0;
@@ -60,4 +60,4 @@ std::vector<PixelPlace> pixels_over(const Image& reference, const Image& test, L
 /// True if the three components of a pixel are within the limit of the reference.
 bool is_within(const float* reference, const float* test, Limit limit);
 
-}  // namespace plumb::references
+}  // namespace plumb::comparison

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace plumb::references {
+namespace plumb::comparison {
 namespace {
 
 using comparison_kernels::Tally;
@@ -76,4 +76,4 @@ void add_exactly(Tally& tally, const PixelRows& reference, const PixelRows& test
   }
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::comparison

@@ -6,7 +6,7 @@
 #include "references/comparison/pixel_mask.hpp"
 #include "tracer/image/pixel_rows.hpp"
 
-namespace plumb::references {
+namespace plumb::comparison {
 
 /// True if floats would lose something.
 bool needs_doubles(const PixelRows& reference, const PixelRows& test);
@@ -16,4 +16,4 @@ bool needs_doubles(const PixelRows& reference, const PixelRows& test);
 void add_exactly(comparison_kernels::Tally& tally, const PixelRows& reference, const PixelRows& test,
                  Limit limit, const PixelMask& mask);
 
-}  // namespace plumb::references
+}  // namespace plumb::comparison

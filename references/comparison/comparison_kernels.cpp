@@ -17,7 +17,7 @@
 #include "tracer/system/vectors.hpp"
 
 HWY_BEFORE_NAMESPACE();
-namespace plumb::references::comparison_kernels::HWY_NAMESPACE {
+namespace plumb::comparison::comparison_kernels::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 using Doubles = hn::ScalableTag<double>;
@@ -153,11 +153,11 @@ void add_target(Tally& tally, const std::byte* reference, const std::byte* test,
   }
 }
 
-}  // namespace plumb::references::comparison_kernels::HWY_NAMESPACE
+}  // namespace plumb::comparison::comparison_kernels::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace plumb::references::comparison_kernels {
+namespace plumb::comparison::comparison_kernels {
 
 void add(Tally& tally, const std::byte* reference, const std::byte* test, std::size_t pixels, int channels,
          const Limit& limit, std::size_t first) {
@@ -165,5 +165,5 @@ void add(Tally& tally, const std::byte* reference, const std::byte* test, std::s
       tally, reference, test, pixels, channels, limit, first);
 }
 
-}  // namespace plumb::references::comparison_kernels
+}  // namespace plumb::comparison::comparison_kernels
 #endif

@@ -6,7 +6,7 @@
 
 #include "references/comparison/limit.hpp"
 
-namespace plumb::references::comparison_kernels {
+namespace plumb::comparison::comparison_kernels {
 
 /// What was seen so far. Names are those of Comparison.
 struct Tally {
@@ -27,4 +27,4 @@ struct Tally {
 void add(Tally& tally, const std::byte* reference, const std::byte* test, std::size_t pixels, int channels,
          const Limit& limit, std::size_t first);
 
-}  // namespace plumb::references::comparison_kernels
+}  // namespace plumb::comparison::comparison_kernels

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace plumb::references::curves {
+namespace plumb::comparison::curves {
 
 double srgb_encoded(double linear) {
   return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
@@ -29,4 +29,4 @@ bool is_level(float value, int most) {
   return level >= 0 && level <= most && std::abs(scaled - level) < roundings * most;
 }
 
-}  // namespace plumb::references::curves
+}  // namespace plumb::comparison::curves

@@ -1,7 +1,7 @@
 // What may happen to values between a renderer and a file.
 #pragma once
 
-namespace plumb::references::curves {
+namespace plumb::comparison::curves {
 
 /// The curve of IEC 61966-2-1, continued as its line below 0 and as its power above 1.
 double srgb_encoded(double linear);
@@ -13,4 +13,4 @@ float half_rounded(float value);
 /// True if the value is k / most for an integer k from 0 to `most` (255, 65535), as a float holds it.
 bool is_level(float value, int most);
 
-}  // namespace plumb::references::curves
+}  // namespace plumb::comparison::curves

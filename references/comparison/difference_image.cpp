@@ -8,7 +8,7 @@
 #include "tracer/image/format.hpp"
 #include "tracer/image/image_writer.hpp"
 
-namespace plumb::references {
+namespace plumb::comparison {
 namespace {
 
 /// Computes the differences of one row after the other.
@@ -88,4 +88,4 @@ DifferenceImage write_difference(const std::string& path, const PixelRows& refer
   return result;
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::comparison

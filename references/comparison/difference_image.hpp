@@ -6,7 +6,7 @@
 #include "references/comparison/pixel_mask.hpp"
 #include "tracer/image/pixel_rows.hpp"
 
-namespace plumb::references {
+namespace plumb::comparison {
 
 /// What was written. `scale` is 1 over the difference that is white; 1 in files of floats.
 struct DifferenceImage {
@@ -24,4 +24,4 @@ struct DifferenceImage {
 DifferenceImage write_difference(const std::string& path, const PixelRows& reference, const PixelRows& test,
                                  const PixelMask& mask);
 
-}  // namespace plumb::references
+}  // namespace plumb::comparison

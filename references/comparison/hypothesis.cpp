@@ -6,7 +6,7 @@
 
 #include "references/comparison/curves.hpp"
 
-namespace plumb::references {
+namespace plumb::comparison {
 namespace {
 
 double clamped(double v) { return std::clamp(v, 0.0, 1.0); }
@@ -99,4 +99,4 @@ const std::vector<Hypothesis>& hypotheses() {
   return list;
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::comparison

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace plumb::references {
+namespace plumb::comparison {
 
 /// What the test picture would be if the accident had happened to the reference.
 struct Hypothesis {
@@ -30,4 +30,4 @@ struct Hypothesis {
 /// Returns all that are tried, in this order. The first that leaves nothing over is named.
 const std::vector<Hypothesis>& hypotheses();
 
-}  // namespace plumb::references
+}  // namespace plumb::comparison

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace plumb::references {
+namespace plumb::comparison {
 
 /// A component agrees when it differs by at most at(reference). Values that are not finite never agree.
 struct Limit {
@@ -22,4 +22,4 @@ struct Limit {
   bool is_relative() const { return relative > tolerance; }
 };
 
-}  // namespace plumb::references
+}  // namespace plumb::comparison

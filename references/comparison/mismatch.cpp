@@ -10,7 +10,7 @@
 #include "references/comparison/comparison_exact.hpp"
 #include "references/comparison/hypothesis.hpp"
 
-namespace plumb::references {
+namespace plumb::comparison {
 namespace {
 
 /// The sum of squared differences, and the number of pixels that differ.
@@ -281,4 +281,4 @@ std::optional<LikelyCause> likely_cause(const PixelRows& reference, const PixelR
   return best;
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::comparison

@@ -8,7 +8,7 @@
 #include "references/comparison/comparison.hpp"
 #include "tracer/image/pixel_rows.hpp"
 
-namespace plumb::references {
+namespace plumb::comparison {
 
 struct LikelyCause {
   std::string name;             ///< for programs: rows_flipped, shifted, srgb_encoded, half, ...
@@ -26,4 +26,4 @@ struct LikelyCause {
 std::optional<LikelyCause> likely_cause(const PixelRows& reference, const PixelRows& test, Limit limit,
                                         const Comparison& comparison, const PixelMask& mask = {});
 
-}  // namespace plumb::references
+}  // namespace plumb::comparison

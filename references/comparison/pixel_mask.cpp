@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace plumb::references {
+namespace plumb::comparison {
 
 PixelMask::PixelMask(int width, int height, bool counts)
     : width_(width),
@@ -24,4 +24,4 @@ std::size_t PixelMask::count() const {
   return static_cast<std::size_t>(std::count(counts_.begin(), counts_.end(), 1));
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::comparison

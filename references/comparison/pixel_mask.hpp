@@ -7,7 +7,7 @@
 
 #include "tracer/image/image_file.hpp"
 
-namespace plumb::references {
+namespace plumb::comparison {
 
 class PixelMask {
  public:
@@ -35,4 +35,4 @@ class PixelMask {
   std::vector<std::uint8_t> counts_;
 };
 
-}  // namespace plumb::references
+}  // namespace plumb::comparison

@@ -4,7 +4,7 @@
 
 #include "tracer/image/channel_names.hpp"
 
-namespace plumb::references {
+namespace plumb::comparison {
 
 std::vector<std::string> names_of(const PixelRows& rows) {
   return rows.contents.channels.empty() ? usual_channels(rows.channels) : rows.contents.channels;
@@ -143,4 +143,4 @@ std::optional<std::string> shape_mismatch(const PixelRows& reference, const Pixe
   return channel_mismatch(reference, test);
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::comparison

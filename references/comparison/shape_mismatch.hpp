@@ -7,7 +7,7 @@
 
 #include "tracer/image/pixel_rows.hpp"
 
-namespace plumb::references {
+namespace plumb::comparison {
 
 /// Returns the names of its channels in their order; the usual ones where the file names none.
 std::vector<std::string> names_of(const PixelRows& rows);
@@ -22,4 +22,4 @@ void leave_out_opaque_alpha(PixelRows& reference, PixelRows& test);
 /// are known by their roles: diffuse.R and LeR are R.
 std::optional<std::string> shape_mismatch(const PixelRows& reference, const PixelRows& test);
 
-}  // namespace plumb::references
+}  // namespace plumb::comparison

@@ -10,10 +10,10 @@
 #include "references/diagnosis/remains.hpp"
 #include "references/diagnosis/shading.hpp"
 
-namespace plumb::references {
+namespace plumb::diagnosis {
 namespace {
 
-bool names(const Diagnosis& diagnosis, const Fault* fault) {
+bool names(const Diagnosis& diagnosis, const faults::Fault* fault) {
   return std::any_of(diagnosis.faults.begin(), diagnosis.faults.end(), [&](const FoundFault& found) {
     return found.fault == fault ||
            std::find(found.alike.begin(), found.alike.end(), fault) != found.alike.end();
@@ -75,7 +75,7 @@ bool ByGeometry::only_what_shows_the_background_is_left() const {
   other.background += Rgbd(1);
   textbook::Work work(std::numeric_limits<double>::infinity());
   const std::vector<float> with_other =
-      colours_with(other, evidence_.camera(), evidence_.job(), {}, left, work);
+      faults::colours_with(other, evidence_.camera(), evidence_.job(), {}, left, work);
   const std::vector<float> colours = evidence.colours({}, left);
   for (std::size_t i = 0; i < colours.size(); i += 3) {
     if (std::equal(&colours[i], &colours[i] + 3, &with_other[i])) return false;
@@ -99,11 +99,12 @@ bool ByGeometry::agrees(const Diagnosis& d) const {
                         [](const FoundFault& found) { return is_of_geometry(*found.fault); });
   }
   for (std::size_t i = 0; i < camera.assumed.size(); ++i) {
-    const Fault* const fault = camera.assumed[i];
+    const faults::Fault* const fault = camera.assumed[i];
     if (std::find(camera.faults.begin(), camera.faults.end(), fault) == camera.faults.end()) continue;
     const auto& alike = camera.alike[i];
-    const bool is_named = names(d, fault) || std::any_of(alike.begin(), alike.end(),
-                                                         [&](const Fault* other) { return names(d, other); });
+    const bool is_named =
+        names(d, fault) ||
+        std::any_of(alike.begin(), alike.end(), [&](const faults::Fault* other) { return names(d, other); });
     if (!is_named) return false;
   }
   return true;
@@ -183,12 +184,12 @@ void ByGeometry::name_what_is_told(Diagnosis& d) const {
   const bool is_proven = shading.right >= enough_right;
   d.faults.clear();
   for (std::size_t i = 0; i < camera.assumed.size(); ++i) {
-    const Fault* const fault = camera.assumed[i];
+    const faults::Fault* const fault = camera.assumed[i];
     const bool is_sure = std::find(camera.faults.begin(), camera.faults.end(), fault) != camera.faults.end();
     if (is_sure || is_proven) add_of_the_camera(d, fault, camera.alike[i]);
   }
   d.faults.insert(d.faults.end(), shading.faults.begin(), shading.faults.end());
-  d.is_flipped = names(d, find_fault("upside-down"));
+  d.is_flipped = names(d, faults::find_fault("upside-down"));
   d.verdict = d.faults.empty() ? PictureVerdict::unexplained : PictureVerdict::faults;
   const FaultSet set = is_proven ? shading.set : set_of(camera.faults);
   const Remains remains = remains_of(evidence, set);
@@ -215,12 +216,12 @@ double ByGeometry::share_within(const Evidence& evidence, const FaultSet& set,
 }
 
 /// Adds a fault that the places of things tell.
-void ByGeometry::add_of_the_camera(Diagnosis& d, const Fault* fault,
-                                   const std::vector<const Fault*>& alike) const {
+void ByGeometry::add_of_the_camera(Diagnosis& d, const faults::Fault* fault,
+                                   const std::vector<const faults::Fault*>& alike) const {
   // Below 1, because where things are tells less than the colour of every pixel.
   constexpr double confidence = 0.95;
   d.faults.push_back({fault, confidence / static_cast<double>(1 + alike.size()),
                       std::max<std::size_t>(1, geometry_.camera.pixels), alike});
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::diagnosis

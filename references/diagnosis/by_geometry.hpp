@@ -7,7 +7,7 @@
 #include "references/diagnosis/diagnosis.hpp"
 #include "references/diagnosis/geometry.hpp"
 
-namespace plumb::references {
+namespace plumb::diagnosis {
 
 class ByGeometry {
  public:
@@ -33,8 +33,8 @@ class ByGeometry {
   std::vector<Scene> with_background(const Rgbd& seen) const;
   double misfit_of(const Scene& scene) const;
   void name_what_is_told(Diagnosis& diagnosis) const;
-  void add_of_the_camera(Diagnosis& diagnosis, const Fault* fault,
-                         const std::vector<const Fault*>& alike) const;
+  void add_of_the_camera(Diagnosis& diagnosis, const faults::Fault* fault,
+                         const std::vector<const faults::Fault*>& alike) const;
 
   const Evidence& evidence_;
   const ImageFile& seen_;
@@ -44,4 +44,4 @@ class ByGeometry {
   std::vector<Scene> with_habit_;  ///< scenes whose background is as the habit shows it; none without it
 };
 
-}  // namespace plumb::references
+}  // namespace plumb::diagnosis

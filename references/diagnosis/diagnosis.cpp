@@ -5,7 +5,7 @@
 #include "references/diagnosis/by_geometry.hpp"
 #include "references/diagnosis/diagnostician.hpp"
 
-namespace plumb::references {
+namespace plumb::diagnosis {
 
 const char* to_string(PictureVerdict verdict) {
   switch (verdict) {
@@ -51,4 +51,4 @@ Diagnosis diagnose(const Scene& scene, const Camera& camera, const textbook::Ren
   return with_what_is_certain(std::move(by_colours));
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::diagnosis

@@ -7,7 +7,7 @@
 
 #include "references/diagnosis/evidence.hpp"
 
-namespace plumb::references {
+namespace plumb::diagnosis {
 
 enum class PictureVerdict {
   right,        ///< every pixel is what an encoding holds of the lecture's, or proven to lie on an edge
@@ -19,13 +19,13 @@ enum class PictureVerdict {
 const char* to_string(PictureVerdict verdict);
 
 struct FoundFault {
-  const Fault* fault;  ///< of fault_catalogue() or geometry_families()
-  double confidence;   ///< 0 to 1: the share explained, divided among the faults that cannot be told apart
+  const faults::Fault* fault;  ///< of fault_catalogue() or geometry_families()
+  double confidence;  ///< 0 to 1: the share explained, divided among the faults that cannot be told apart
   /// Number that are right with it and not without it; of a fault that the geometry tells, number that show
   /// another surface than with the right camera. Never 0.
   std::size_t pixels;
-  std::vector<const Fault*> alike;  ///< faults that give the same picture of this scene in its place
-  std::size_t changed = 0;          ///< number whose level is another without it
+  std::vector<const faults::Fault*> alike;  ///< faults that give the same picture of this scene in its place
+  std::size_t changed = 0;                  ///< number whose level is another without it
 };
 
 /// Something that a tracer does and that is no formula of the lecture: a remark, not a mistake.
@@ -87,4 +87,4 @@ inline constexpr const char* one_colour_tells_nothing =
 /// for a picture that is right or explained.
 std::string summary_of(const Diagnosis& diagnosis);
 
-}  // namespace plumb::references
+}  // namespace plumb::diagnosis

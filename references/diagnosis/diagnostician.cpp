@@ -10,7 +10,7 @@
 #include "references/diagnosis/geometry.hpp"
 #include "references/diagnosis/search.hpp"
 
-namespace plumb::references {
+namespace plumb::diagnosis {
 namespace {
 
 /// A level counts as close up to this, because an error of another kind may add to it.
@@ -27,19 +27,19 @@ constexpr double enough_that_tells = 0.5;
 constexpr double most_apart = 0.05;
 
 /// Returns the faults that give the same picture in the place of one of a set.
-std::vector<const Fault*> alike(const Evidence& evidence, const Fit& fit, std::size_t fault) {
+std::vector<const faults::Fault*> alike(const Evidence& evidence, const Fit& fit, std::size_t fault) {
   const FaultSet rest = without(fit.set, fault);
   std::vector<FaultSet> exchanged;
-  for (std::size_t other = 0; other < fault_catalogue().size(); ++other) {
+  for (std::size_t other = 0; other < faults::fault_catalogue().size(); ++other) {
     if (std::binary_search(fit.set.begin(), fit.set.end(), other)) continue;
     exchanged.push_back(with(rest, other));
   }
-  std::vector<const Fault*> found;
+  std::vector<const faults::Fault*> found;
   for (const FaultSet& set : evidence.alike(fit, exchanged)) {
     const auto other = std::find_if(set.begin(), set.end(), [&](std::size_t f) {
       return !std::binary_search(rest.begin(), rest.end(), f);
     });
-    found.push_back(&fault_catalogue()[*other]);
+    found.push_back(&faults::fault_catalogue()[*other]);
   }
   return found;
 }
@@ -108,14 +108,14 @@ bool shows_nothing(const Evidence& evidence, const FaultSet& set) {
 std::vector<ShapeSeen> shapes_at(const Evidence& evidence, const std::vector<std::size_t>& pixels) {
   RenderOptions first_hit = evidence.job().options;
   first_hit.depth = 1;
-  const TreeTracer tracer(
+  const attribution::TreeTracer tracer(
       {evidence.scene(), evidence.camera(), evidence.width(), evidence.height(), first_hit});
   std::map<std::string, std::size_t> counts;
   constexpr std::size_t most = 20'000;  // because a tree of each of a large picture's pixels takes seconds
   const std::size_t stride = 1 + pixels.size() / most;
   for (std::size_t i = 0; i < pixels.size(); i += stride) {
     const PixelPlace place = evidence.place_of(pixels[i]);
-    const RayNode ray = tracer.tree_of(place.x, place.y);
+    const attribution::RayNode ray = tracer.tree_of(place.x, place.y);
     ++counts[ray.meeting ? evidence.scene().shapes[ray.meeting->shape].name : std::string()];
   }
   std::vector<ShapeSeen> shapes;
@@ -142,7 +142,7 @@ void tell_what_is_wrong(Diagnosis& diagnosis) {
   for (const FoundFault& found : diagnosis.faults) {
     constexpr int first_of_shadows = 19, last_of_shadows = 22;
     constexpr int first_of_transforms = 23, last_of_transforms = 33;
-    const Fault& fault = *found.fault;
+    const faults::Fault& fault = *found.fault;
     const bool is_of_shadows = (fault.catalogue >= first_of_shadows && fault.catalogue <= last_of_shadows) ||
                                fault.id == "shadows-missing";
     const bool is_of_shapes =
@@ -258,7 +258,7 @@ std::size_t Diagnostician::least_righted(const Remains& right, const Remains& le
 
 void Diagnostician::add_fault(const Fit& fit, std::size_t number, std::size_t righted) {
   const std::size_t index = fit.set[number];
-  FoundFault found{&fault_catalogue()[index], 0, 0, alike(evidence_, fit, index)};
+  FoundFault found{&faults::fault_catalogue()[index], 0, 0, alike(evidence_, fit, index)};
   found.pixels = std::max<std::size_t>(1, righted * diagnosis_.pixels / evidence_.survey().size());
   found.changed = changed_by(evidence_, fit, index) * diagnosis_.pixels / evidence_.survey().size();
   found.confidence = explained_ / static_cast<double>(1 + found.alike.size());
@@ -266,4 +266,4 @@ void Diagnostician::add_fault(const Fit& fit, std::size_t number, std::size_t ri
   diagnosis_.is_flipped |= found.fault->id == "upside-down";
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::diagnosis

@@ -8,7 +8,7 @@
 #include "references/diagnosis/diagnosis.hpp"
 #include "references/diagnosis/remains.hpp"
 
-namespace plumb::references {
+namespace plumb::diagnosis {
 
 /// Fills in what the picture that a set gives leaves: edges, encoding, number and size of the differences.
 void tell_what_remains(const Evidence& evidence, const FaultSet& set, const Remains& remains,
@@ -48,4 +48,4 @@ class Diagnostician {
   double explained_ = 0;  ///< share of the pixels that are not right that the faults make right
 };
 
-}  // namespace plumb::references
+}  // namespace plumb::diagnosis

@@ -11,7 +11,7 @@
 #include "references/renderers/ours.hpp"
 #include "tracer/textbook/sampled_pixels.hpp"
 
-namespace plumb::references {
+namespace plumb::diagnosis {
 namespace {
 
 constexpr float levels_of_a_byte = 255;
@@ -75,24 +75,25 @@ double xi(const std::vector<float>& x, const std::vector<float>& y) {
 }  // namespace
 
 std::size_t number_of_faults() {
-  return fault_catalogue().size() + geometry_families().size() + shading_families().size();
+  return faults::fault_catalogue().size() + faults::geometry_families().size() +
+         faults::shading_families().size();
 }
 
-const Fault& fault_at(std::size_t index) {
-  for (const auto* list : {&fault_catalogue(), &geometry_families()}) {
+const faults::Fault& fault_at(std::size_t index) {
+  for (const auto* list : {&faults::fault_catalogue(), &faults::geometry_families()}) {
     if (index < list->size()) return (*list)[index];
     index -= list->size();
   }
-  return shading_families().at(index);
+  return faults::shading_families().at(index);
 }
 
-std::vector<const Fault*> faults_of(const FaultSet& set) {
-  std::vector<const Fault*> faults;
+std::vector<const faults::Fault*> faults_of(const FaultSet& set) {
+  std::vector<const faults::Fault*> faults;
   for (const std::size_t fault : set) faults.push_back(&fault_at(fault));
   return faults;
 }
 
-FaultSet set_of(const std::vector<const Fault*>& faults) {
+FaultSet set_of(const std::vector<const faults::Fault*>& faults) {
   FaultSet set;
   for (std::size_t i = 0; i < number_of_faults(); ++i) {
     if (std::find(faults.begin(), faults.end(), &fault_at(i)) != faults.end()) set.push_back(i);
@@ -118,13 +119,13 @@ Evidence::Evidence(const Scene& scene, const Camera& camera, const textbook::Ren
   seen_ = std::move(known.values);
   const std::vector<PixelPlace> probe = textbook::spread_pixels(job_.width, job_.height, 200);
   textbook::Work work(0);
-  colours_with(scene_, camera_, job_, {}, probe, work);
+  faults::colours_with(scene_, camera_, job_, {}, probe, work);
   units_of_pixel_ = work.spent() / static_cast<double>(probe.size());
   survey_ = textbook::spread_pixels(
       job_.width, job_.height,
       static_cast<std::size_t>(std::clamp(most_units_of_survey / units_of_pixel_, 2000.0,
                                           static_cast<double>(pixels_of_picture()))));
-  right_ = render(OwnTracer::engine, scene_, camera_, job_);
+  right_ = renderers::render(renderers::OwnTracer::engine, scene_, camera_, job_);
   if (known.read.is_float && tolerance)
     errors_.allowed.assign(pixels_of_picture(), static_cast<float>(*tolerance));
   else
@@ -153,7 +154,7 @@ const Image& Evidence::picture_with(const FaultSet& set) const {
   if (set.empty()) return right_;
   if (set == set_of_other_) return other_;
   try {
-    other_ = render_with(scene_, camera_, job_, faults_of(set));
+    other_ = faults::render_with(scene_, camera_, job_, faults_of(set));
   } catch (const std::runtime_error&) {
     other_ = Image(job_.width, job_.height);
     std::fill(other_.rgb.begin(), other_.rgb.end(), std::numeric_limits<float>::infinity());
@@ -182,7 +183,7 @@ std::vector<float> Evidence::textbook_in_float(const std::vector<PixelPlace>& pl
 Image Evidence::moved_in_float(int number) const {
   textbook::RenderJob in_float = job_;
   in_float.real = RealType::float32;
-  return render(OwnTracer::engine, moves().moved(number), camera_, in_float);
+  return renderers::render(renderers::OwnTracer::engine, moves().moved(number), camera_, in_float);
 }
 
 std::vector<float> Evidence::moved_colours(int number, const FaultSet& set,
@@ -190,7 +191,7 @@ std::vector<float> Evidence::moved_colours(int number, const FaultSet& set,
                                            textbook::Work& work) const {
   work.spend(textbook::units_of_world<double>(scene_));
   try {
-    return colours_with(moves().moved(number), camera_, job_, faults_of(set), places, work);
+    return faults::colours_with(moves().moved(number), camera_, job_, faults_of(set), places, work);
   } catch (const std::runtime_error&) {
     return std::vector<float>(3 * places.size(), std::numeric_limits<float>::infinity());
   }
@@ -200,11 +201,11 @@ std::vector<std::optional<std::uint64_t>> Evidence::moved_courses(int number,
                                                                   const std::vector<PixelPlace>& places,
                                                                   textbook::Work& work) const {
   const Scene moved = moves().moved(number);
-  const TreeTracer tracer({moved, camera_, job_.width, job_.height, job_.options}, work);
+  const attribution::TreeTracer tracer({moved, camera_, job_.width, job_.height, job_.options}, work);
   std::vector<std::optional<std::uint64_t>> courses;
   for (const auto& [x, y] : places) {
-    const RayNode tree = tracer.tree_of(x, y);
-    courses.push_back(is_cut(tree) ? std::nullopt : std::optional(course_of(tree)));
+    const attribution::RayNode tree = tracer.tree_of(x, y);
+    courses.push_back(attribution::is_cut(tree) ? std::nullopt : std::optional(attribution::course_of(tree)));
   }
   return courses;
 }
@@ -224,7 +225,7 @@ std::vector<PixelPlace> Evidence::first(std::size_t most) const {
 
 std::vector<float> Evidence::colours(const FaultSet& set, const std::vector<PixelPlace>& places) const {
   try {
-    return colours_with(scene_, camera_, job_, faults_of(set), places, work_);
+    return faults::colours_with(scene_, camera_, job_, faults_of(set), places, work_);
   } catch (const std::runtime_error&) {
     // A fault may make a scene that cannot be traced: it explains nothing.
     return std::vector<float>(3 * places.size(), std::numeric_limits<float>::infinity());
@@ -301,4 +302,4 @@ std::vector<float> Evidence::differences(const Fit& fit) const {
   return all;
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::diagnosis

@@ -11,7 +11,7 @@
 #include "references/faults/fault.hpp"
 #include "tracer/image/image_file.hpp"
 
-namespace plumb::references {
+namespace plumb::diagnosis {
 
 /// Faults as ascending indices into the catalogue, each once. Those of geometry_families() come after it,
 /// then those of shading_families().
@@ -19,9 +19,9 @@ using FaultSet = std::vector<std::size_t>;
 
 /// The number of all faults that a set may have.
 std::size_t number_of_faults();
-const Fault& fault_at(std::size_t index);
-std::vector<const Fault*> faults_of(const FaultSet& set);
-FaultSet set_of(const std::vector<const Fault*>& faults);
+const faults::Fault& fault_at(std::size_t index);
+std::vector<const faults::Fault*> faults_of(const FaultSet& set);
+FaultSet set_of(const std::vector<const faults::Fault*>& faults);
 /// Return the set with a fault that is not in it, and without one that is.
 FaultSet with(FaultSet set, std::size_t fault);
 FaultSet without(FaultSet set, std::size_t fault);
@@ -130,4 +130,4 @@ class Evidence {
   mutable std::unique_ptr<FloatMoves> moves_;
 };
 
-}  // namespace plumb::references
+}  // namespace plumb::diagnosis

@@ -12,7 +12,7 @@
 #include "tracer/scene/each_kind.hpp"
 #include "tracer/scene/hierarchy.hpp"
 
-namespace plumb::references {
+namespace plumb::diagnosis {
 namespace {
 
 /// because a tracer rounds some 32 times, 2^-25 each on average and by chance up or down, on the way to a hit
@@ -122,7 +122,8 @@ FloatErrors float_errors(const Scene& scene, const Camera& camera, const RenderJ
   constexpr float least = 1e-6F, most_everywhere = 1e-5F;
   RenderJob in_float = job;
   in_float.real = RealType::float32;
-  const std::vector<float> errors = errors_of(render(OwnTracer::engine, scene, camera, in_float), in_double);
+  const std::vector<float> errors =
+      errors_of(renderers::render(renderers::OwnTracer::engine, scene, camera, in_float), in_double);
   const float everywhere = std::clamp(other_tracer * most_common(errors), least, most_everywhere);
   FloatErrors found;
   for (int y = 0; y < job.height; ++y) {
@@ -136,7 +137,7 @@ FloatErrors float_errors(const Scene& scene, const Camera& camera, const RenderJ
 }
 
 FloatMoves::FloatMoves(const Scene& scene, const Camera& camera)
-    : scene_(with_instances_apart(scene)), steps_(scene_.shapes.size(), Vec3d(0)) {
+    : scene_(attribution::with_instances_apart(scene)), steps_(scene_.shapes.size(), Vec3d(0)) {
   const Vec3d eye(product_of<double>(camera.transform).matrix * glm::dvec4(camera.eye, 1));
   std::vector<Vec3d> places{eye};
   for (const Light& light : scene_.lights) places.push_back(light.position);
@@ -164,4 +165,4 @@ Scene FloatMoves::moved(int number) const {
   return moved;
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::diagnosis

@@ -7,7 +7,7 @@
 #include "tracer/scene/render_job.hpp"
 #include "tracer/scene/scene.hpp"
 
-namespace plumb::references {
+namespace plumb::diagnosis {
 
 /// So many times an error counts, because another order of the same operations rounds otherwise.
 inline constexpr float other_tracer = 4;
@@ -43,4 +43,4 @@ class FloatMoves {
   std::vector<Vec3d> steps_;  // a sphere's step; for a box, what is rounded beside a face's own coordinate
 };
 
-}  // namespace plumb::references
+}  // namespace plumb::diagnosis

@@ -11,7 +11,7 @@
 #include "tracer/scene/hierarchy.hpp"
 #include "tracer/textbook/tracer.hpp"
 
-namespace plumb::references {
+namespace plumb::diagnosis {
 namespace {
 
 /// What is seen in a cell of the grid: 0 where nothing is hit.
@@ -35,10 +35,10 @@ constexpr double least_lead_of_a_fault = 0.12;
 
 /// A camera that somebody may have built, by the faults it has.
 struct Candidate {
-  std::vector<const Fault*> faults;
+  std::vector<const faults::Fault*> faults;
   std::vector<Label> labels;
   double agreement = 0;
-  std::vector<std::vector<const Fault*>> same;  ///< other faults that give the same labels
+  std::vector<std::vector<const faults::Fault*>> same;  ///< other faults that give the same labels
 };
 
 /// Every stride-th pixel of a picture.
@@ -72,7 +72,7 @@ struct FirstHit {
   void ray_ends(const Rgbd&) const {}
 };
 
-std::vector<Label> labels_of(const Subject& subject, const Grid& grid) {
+std::vector<Label> labels_of(const faults::Subject& subject, const Grid& grid) {
   const textbook::World<double> world(subject.scene, subject.formulas);
   Label label = 0;
   const textbook::Tracer<double, textbook::ReplaceableFormulas<double>, FirstHit> tracer(
@@ -228,18 +228,18 @@ class PictureSeen {
 };
 
 /// Nothing, or one of these faults.
-std::vector<const Fault*> one_of(std::initializer_list<const char*> ids) {
-  std::vector<const Fault*> choice{nullptr};
+std::vector<const faults::Fault*> one_of(std::initializer_list<const char*> ids) {
+  std::vector<const faults::Fault*> choice{nullptr};
   for (const char* id : ids) {
-    const Fault* const fault = find_fault(id);
-    choice.push_back(fault != nullptr ? fault : find_geometry_family(id));
+    const faults::Fault* const fault = faults::find_fault(id);
+    choice.push_back(fault != nullptr ? fault : faults::find_geometry_family(id));
   }
   return choice;
 }
 
-std::vector<const Fault*> without_nothing(std::initializer_list<const Fault*> faults) {
-  std::vector<const Fault*> some;
-  for (const Fault* fault : faults) {
+std::vector<const faults::Fault*> without_nothing(std::initializer_list<const faults::Fault*> faults) {
+  std::vector<const faults::Fault*> some;
+  for (const faults::Fault* fault : faults) {
     if (fault != nullptr) some.push_back(fault);
   }
   return some;
@@ -258,8 +258,8 @@ std::vector<Label> turned(const std::vector<Label>& labels, const Grid& grid, bo
   return all;
 }
 
-std::vector<const Fault*> before_the_picture_is_turned(std::vector<const Fault*> faults) {
-  std::erase_if(faults, [](const Fault* fault) { return fault->after != nullptr; });
+std::vector<const faults::Fault*> before_the_picture_is_turned(std::vector<const faults::Fault*> faults) {
+  std::erase_if(faults, [](const faults::Fault* fault) { return fault->after != nullptr; });
   return faults;
 }
 
@@ -271,7 +271,7 @@ bool has_transforms(const Scene& scene) {
 /// All cameras, those with the fewest faults first, each picture of labels once.
 class Candidates {
  public:
-  Candidates(Subject subject, const PictureSeen& seen, const Grid& grid)
+  Candidates(faults::Subject subject, const PictureSeen& seen, const Grid& grid)
       : subject_(std::move(subject)), seen_(seen), grid_(grid) {
     subject_.scene.lights.clear();
     const auto fields =
@@ -283,9 +283,9 @@ class Candidates {
         one_of({"camera-without-effect", "camera-direction-ignored", "camera-up-ignored",
                 "camera-transform-ignored", "camera-matrix-transposed", "camera-looks-backwards",
                 "camera-direction-added", "eye-hard-coded", "camera-axes-not-normalised"});
-    for (const Fault* field : fields) {
-      for (const Fault* shape : shapes) {
-        for (const Fault* pose : poses) add(without_nothing({field, shape, pose}));
+    for (const faults::Fault* field : fields) {
+      for (const faults::Fault* shape : shapes) {
+        for (const faults::Fault* pose : poses) add(without_nothing({field, shape, pose}));
       }
     }
   }
@@ -294,7 +294,7 @@ class Candidates {
   void add_transforms() {
     if (!has_transforms(subject_.scene)) return;
     constexpr std::size_t few = 8;  // because the camera shows in most of the scene, whatever its shapes do
-    std::vector<std::pair<double, std::vector<const Fault*>>> best;
+    std::vector<std::pair<double, std::vector<const faults::Fault*>>> best;
     for (const auto& [labels, candidate] : by_labels_)
       best.emplace_back(candidate.agreement, candidate.faults);
     std::stable_sort(best.begin(), best.end(),
@@ -308,9 +308,9 @@ class Candidates {
                 "rotation-by-half", "rotation-degrees-as-radians", "ray-by-matrix", "rotation-sense",
                 "rotation-sense-about-x", "rotation-sense-about-y", "rotation-sense-about-z"});
     for (const auto& [agreement, faults] : best) {
-      for (const Fault* transform : transforms) {
+      for (const faults::Fault* transform : transforms) {
         if (transform == nullptr) continue;
-        std::vector<const Fault*> both = before_the_picture_is_turned(faults);
+        std::vector<const faults::Fault*> both = before_the_picture_is_turned(faults);
         both.push_back(transform);
         add(both);
       }
@@ -329,20 +329,20 @@ class Candidates {
   }
 
  private:
-  void add(const std::vector<const Fault*>& faults) {
-    Subject subject = subject_;
-    for (const Fault* fault : faults) fault->apply(subject);
+  void add(const std::vector<const faults::Fault*>& faults) {
+    faults::Subject subject = subject_;
+    for (const faults::Fault* fault : faults) fault->apply(subject);
     std::vector<Label> labels;
     try {
       labels = labels_of(subject, grid_);
     } catch (const std::exception&) {
       return;  // a camera that no ray leaves makes no picture
     }
-    const Fault* const flip = find_fault("upside-down");
-    const Fault* const swap = find_fault("left-right-swapped");
+    const faults::Fault* const flip = faults::find_fault("upside-down");
+    const faults::Fault* const swap = faults::find_fault("left-right-swapped");
     for (const auto& after : {without_nothing({}), without_nothing({flip}), without_nothing({swap}),
                               without_nothing({flip, swap})}) {
-      std::vector<const Fault*> all = faults;
+      std::vector<const faults::Fault*> all = faults;
       all.insert(all.end(), after.begin(), after.end());
       const bool is_flipped = std::find(after.begin(), after.end(), flip) != after.end();
       const bool is_swapped = std::find(after.begin(), after.end(), swap) != after.end();
@@ -350,7 +350,7 @@ class Candidates {
     }
   }
 
-  void keep(std::vector<const Fault*> faults, std::vector<Label> labels) {
+  void keep(std::vector<const faults::Fault*> faults, std::vector<Label> labels) {
     const auto [at, is_new] = by_labels_.try_emplace(std::move(labels));
     Candidate& candidate = at->second;
     if (is_new) {
@@ -362,22 +362,22 @@ class Candidates {
     candidate.same.push_back(std::move(faults));
   }
 
-  Subject subject_;
+  faults::Subject subject_;
   const PictureSeen& seen_;
   Grid grid_;
   std::map<std::vector<Label>, Candidate> by_labels_;
 };
 
-bool has(const std::vector<const Fault*>& faults, const Fault* fault) {
+bool has(const std::vector<const faults::Fault*>& faults, const faults::Fault* fault) {
   return std::find(faults.begin(), faults.end(), fault) != faults.end();
 }
 
 /// The faults in which another set of as many differs from this one, when that is one.
-const Fault* in_place_of(const Fault* fault, const std::vector<const Fault*>& faults,
-                         const std::vector<const Fault*>& others) {
+const faults::Fault* in_place_of(const faults::Fault* fault, const std::vector<const faults::Fault*>& faults,
+                                 const std::vector<const faults::Fault*>& others) {
   if (others.size() != faults.size() || has(others, fault)) return nullptr;
-  const Fault* other = nullptr;
-  for (const Fault* one : others) {
+  const faults::Fault* other = nullptr;
+  for (const faults::Fault* one : others) {
     if (has(faults, one)) continue;
     if (other != nullptr) return nullptr;
     other = one;
@@ -385,8 +385,9 @@ const Fault* in_place_of(const Fault* fault, const std::vector<const Fault*>& fa
   return other;
 }
 
-bool has_number(const std::vector<const Fault*>& faults, int number) {
-  return std::any_of(faults.begin(), faults.end(), [&](const Fault* f) { return f->catalogue == number; });
+bool has_number(const std::vector<const faults::Fault*>& faults, int number) {
+  return std::any_of(faults.begin(), faults.end(),
+                     [&](const faults::Fault* f) { return f->catalogue == number; });
 }
 
 /// Moves to the front, of those that agree about as well as the first, one with the fewest faults.
@@ -407,13 +408,13 @@ CameraFound found_among(const std::vector<Candidate>& all) {
   found.is_right = std::none_of(all.begin(), all.end(), [&](const Candidate& c) {
     return c.agreement > best.agreement - least_lead &&
            std::any_of(c.faults.begin(), c.faults.end(),
-                       [](const Fault* fault) { return is_of_geometry(*fault); });
+                       [](const faults::Fault* fault) { return is_of_geometry(*fault); });
   });
   found.assumed = best.faults;
-  for (const Fault* fault : best.faults) {
-    std::vector<const Fault*> alike;
+  for (const faults::Fault* fault : best.faults) {
+    std::vector<const faults::Fault*> alike;
     for (const auto& others : best.same) {
-      const Fault* const in_place = in_place_of(fault, best.faults, others);
+      const faults::Fault* const in_place = in_place_of(fault, best.faults, others);
       if (in_place != nullptr && !has(alike, in_place)) alike.push_back(in_place);
     }
     found.alike.push_back(alike);
@@ -447,7 +448,7 @@ std::size_t instances_of(const Scene& scene) {
 
 }  // namespace
 
-bool is_of_geometry(const Fault& fault) {
+bool is_of_geometry(const faults::Fault& fault) {
   constexpr int pixel_corner = 4;  // a shift by half a pixel, which no grid of cells tells
   constexpr int last_of_the_camera = 7, focal_lengths = 40;
   return (fault.catalogue <= last_of_the_camera && fault.catalogue != pixel_corner) ||
@@ -488,4 +489,4 @@ std::optional<Geometry> geometry_of(const Scene& scene, const Camera& camera, co
   return geometry;
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::diagnosis

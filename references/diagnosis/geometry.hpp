@@ -8,17 +8,17 @@
 #include "references/faults/fault.hpp"
 #include "tracer/image/image_file.hpp"
 
-namespace plumb::references {
+namespace plumb::diagnosis {
 
 /// The camera that a picture was made with. Its faults are of fault_catalogue() and geometry_families().
 struct CameraFound {
   /// The faults of the camera with which the picture agrees best, of transforms, too. Its colours may prove
   /// them; alone they are a guess.
-  std::vector<const Fault*> assumed;
+  std::vector<const faults::Fault*> assumed;
   /// For each of them, those that show every surface at the same pixels in its place.
-  std::vector<std::vector<const Fault*>> alike;
+  std::vector<std::vector<const faults::Fault*>> alike;
   /// Those of them that are certain: with no camera without one of their number it agrees about as well.
-  std::vector<const Fault*> faults;
+  std::vector<const faults::Fault*> faults;
   bool is_right = false;   ///< true if no other camera agrees about as well as the right one
   std::size_t pixels = 0;  ///< number that show another surface than with the right camera
 };
@@ -47,7 +47,7 @@ struct Geometry {
 };
 
 /// True if a fault is one of the camera, and moves what is seen by more than a pixel.
-bool is_of_geometry(const Fault& fault);
+bool is_of_geometry(const faults::Fault& fault);
 
 /// Holds the edges and regions of the picture against those that each fault of the camera gives, alone and
 /// combined: field of view, shape of the image plane, pose, and the picture turned or mirrored. Where
@@ -56,4 +56,4 @@ bool is_of_geometry(const Fault& fault);
 std::optional<Geometry> geometry_of(const Scene& scene, const Camera& camera, const textbook::RenderJob& job,
                                     const ImageFile& seen);
 
-}  // namespace plumb::references
+}  // namespace plumb::diagnosis

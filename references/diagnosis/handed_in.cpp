@@ -7,7 +7,7 @@
 #include "references/comparison/shape_mismatch.hpp"
 #include "tracer/image/channel_names.hpp"
 
-namespace plumb::references {
+namespace plumb::diagnosis {
 namespace {
 
 std::string text_of(const Window& w) {
@@ -46,14 +46,14 @@ std::optional<std::string> complaint_about_contents(const PixelRows& rows) {
 std::string not_looked_at(const PixelRows& rows) {
   std::string text;
   const auto add = [&](const std::string& what) { text += (text.empty() ? "" : ", ") + what; };
-  const std::vector<std::string> names = names_of(rows);
+  const std::vector<std::string> names = comparison::names_of(rows);
   for (int c = rows.channels < 3 ? 1 : 3; c < rows.channels; ++c) {
     const auto place = static_cast<std::size_t>(c);
     const std::string name = place < names.size() ? names[place] : std::to_string(c + 1);
-    if (channel_role(name) != "A" || !is_one_everywhere(rows, c)) add("channel " + name);
+    if (channel_role(name) != "A" || !comparison::is_one_everywhere(rows, c)) add("channel " + name);
   }
   for (const std::string& what : rows.contents.not_read) add(what);
   return text;
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::diagnosis

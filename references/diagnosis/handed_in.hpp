@@ -6,7 +6,7 @@
 
 #include "tracer/image/pixel_rows.hpp"
 
-namespace plumb::references {
+namespace plumb::diagnosis {
 
 /// Returns why the file is no picture of a scene, for people, or nothing when it is one. It expects the
 /// complete picture, in R G B or grey, with or without alpha, in integers of at most 16 bits or in floats.
@@ -16,4 +16,4 @@ std::optional<std::string> complaint_about_contents(const PixelRows& rows);
 /// alpha of 1 everywhere is not mentioned.
 std::string not_looked_at(const PixelRows& rows);
 
-}  // namespace plumb::references
+}  // namespace plumb::diagnosis

@@ -6,7 +6,7 @@
 #include <optional>
 #include <set>
 
-namespace plumb::references {
+namespace plumb::diagnosis {
 namespace {
 
 constexpr float largest_byte = 255;
@@ -196,4 +196,4 @@ SeenLevels seen_levels(const ImageFile& seen) {
   return found;
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::diagnosis

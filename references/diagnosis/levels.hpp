@@ -5,7 +5,7 @@
 
 #include "references/diagnosis/output_encoding.hpp"
 
-namespace plumb::references {
+namespace plumb::diagnosis {
 
 /// The levels of a picture's colours: interleaved r g b on the scale of 0 to 255, however many there are.
 struct SeenLevels {
@@ -17,4 +17,4 @@ struct SeenLevels {
 /// many values differ that chance puts them there once in a million cases.
 SeenLevels seen_levels(const ImageFile& seen);
 
-}  // namespace plumb::references
+}  // namespace plumb::diagnosis

@@ -5,7 +5,7 @@
 
 #include "tracer/image/encode.hpp"
 
-namespace plumb::references {
+namespace plumb::diagnosis {
 namespace {
 
 constexpr float white_level = 255;
@@ -106,4 +106,4 @@ std::vector<OutputEncoding> encodings_of(const OutputEncoding& read) {
   return all;
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::diagnosis

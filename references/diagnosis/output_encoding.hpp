@@ -7,7 +7,7 @@
 
 #include "tracer/image/image_file.hpp"
 
-namespace plumb::references {
+namespace plumb::diagnosis {
 
 enum class Curve { linear, gamma, srgb };
 
@@ -53,4 +53,4 @@ struct OutputEncoding {
 /// `read` says what is known of the levels.
 std::vector<OutputEncoding> encodings_of(const OutputEncoding& read);
 
-}  // namespace plumb::references
+}  // namespace plumb::diagnosis

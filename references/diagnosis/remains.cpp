@@ -10,7 +10,7 @@
 
 #include "references/diagnosis/float_noise.hpp"
 
-namespace plumb::references {
+namespace plumb::diagnosis {
 namespace {
 
 constexpr std::size_t channels_of_colour = 3;
@@ -342,4 +342,4 @@ std::vector<bool> within(const Evidence& evidence, const FaultSet& set, const Ou
   return all;
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::diagnosis

@@ -5,7 +5,7 @@
 
 #include "references/diagnosis/evidence.hpp"
 
-namespace plumb::references {
+namespace plumb::diagnosis {
 
 /// Each pixel is within what float32 and its encoding can hold, is proven to lie on an edge, or remains.
 struct Remains {
@@ -27,4 +27,4 @@ Remains remains_of(const Evidence& evidence, const FaultSet& set);
 std::vector<bool> within(const Evidence& evidence, const FaultSet& set, const OutputEncoding& encoding,
                          const std::vector<PixelPlace>& places);
 
-}  // namespace plumb::references
+}  // namespace plumb::diagnosis

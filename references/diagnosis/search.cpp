@@ -7,7 +7,7 @@
 
 #include "tracer/textbook/sampled_pixels.hpp"
 
-namespace plumb::references {
+namespace plumb::diagnosis {
 namespace {
 
 constexpr std::size_t beam_width = 4;
@@ -38,7 +38,7 @@ class Search {
         even_(std::min(evidence.pixels_of_picture() / 4 + 1,
                        static_cast<std::size_t>(std::clamp(
                            most_units_of_search / (looks * evidence.units_of_pixel()), 100.0, 500.0)))),
-        has_effect_(fault_catalogue().size(), false) {}
+        has_effect_(faults::fault_catalogue().size(), false) {}
 
   Fit best() {
     std::vector<Fit> beam{{}};
@@ -165,7 +165,7 @@ class Search {
     double gain = 0;
     for (const std::size_t fault : with.set) {
       if (!std::binary_search(without.set.begin(), without.set.end(), fault))
-        gain += least_gain(fault_catalogue()[fault], without.misfit);
+        gain += least_gain(faults::fault_catalogue()[fault], without.misfit);
     }
     return gain;
   }
@@ -173,7 +173,7 @@ class Search {
   /// Returns the misfit plus what the faults cost. It compares sets of different sizes.
   static double cost(const Fit& fit) {
     double cost = fit.misfit;
-    for (const std::size_t fault : fit.set) cost += least_gain(fault_catalogue()[fault], 0);
+    for (const std::size_t fault : fit.set) cost += least_gain(faults::fault_catalogue()[fault], 0);
     return cost;
   }
   static void sort(std::vector<Fit>& fits) {
@@ -186,7 +186,7 @@ class Search {
     std::vector<Fit> fits;
     for (const Fit& fit : beam) {
       if (is_over()) break;
-      for (std::size_t fault = 0; fault < fault_catalogue().size(); ++fault) {
+      for (std::size_t fault = 0; fault < faults::fault_catalogue().size(); ++fault) {
         if (!has_effect_[fault] || std::binary_search(fit.set.begin(), fit.set.end(), fault)) continue;
         if (!tried.insert(with(fit.set, fault)).second) continue;
         fits.push_back(evidence_.fit(with(fit.set, fault), first_look()));
@@ -342,7 +342,7 @@ class Search {
   /// too.
   std::vector<FaultSet> one_more(const FaultSet& set, bool is_any) const {
     std::vector<FaultSet> sets;
-    for (std::size_t fault = 0; fault < fault_catalogue().size(); ++fault) {
+    for (std::size_t fault = 0; fault < faults::fault_catalogue().size(); ++fault) {
       if ((is_any || has_effect_[fault]) && !std::binary_search(set.begin(), set.end(), fault))
         sets.push_back(with(set, fault));
     }
@@ -375,13 +375,13 @@ class Search {
 
 }  // namespace
 
-int count_of(const Fault& fault) {
+int count_of(const faults::Fault& fault) {
   int count = 0;
   std::from_chars(fault.how_common.data(), fault.how_common.data() + fault.how_common.size(), count);
   return std::max(0, count);
 }
 
-double least_gain(const Fault& fault, double before) {
+double least_gain(const faults::Fault& fault, double before) {
   // because float and double disagree by one level in some pixels of a thousand, which is ln 2 each. A rare
   // fault needs more evidence than one that most tracers have.
   return 0.001 + 0.002 / (1 + count_of(fault)) + 0.01 * before;
@@ -389,4 +389,4 @@ double least_gain(const Fault& fault, double before) {
 
 Fit explain(Evidence& evidence) { return Search(evidence).best(); }
 
-}  // namespace plumb::references
+}  // namespace plumb::diagnosis

@@ -3,7 +3,7 @@
 
 #include "references/diagnosis/evidence.hpp"
 
-namespace plumb::references {
+namespace plumb::diagnosis {
 
 /// Returns the set that fits best with the fewest faults. A beam search adds one fault at a time, then
 /// exchanges and takes out. It looks at pixels that are spread evenly, and at those that are not yet
@@ -12,9 +12,9 @@ namespace plumb::references {
 Fit explain(Evidence& evidence);
 
 /// Returns by how much a fault must improve a misfit of `before` to be believed.
-double least_gain(const Fault& fault, double before);
+double least_gain(const faults::Fault& fault, double before);
 
 /// Returns how many of the tracers that were read have the fault.
-int count_of(const Fault& fault);
+int count_of(const faults::Fault& fault);
 
-}  // namespace plumb::references
+}  // namespace plumb::diagnosis

@@ -9,20 +9,20 @@
 
 #include "references/diagnosis/search.hpp"
 
-namespace plumb::references {
+namespace plumb::diagnosis {
 namespace {
 
 /// A fault that is left out, or most of a tracer, which explains more than one of its details.
-bool is_missing_feature(const Fault& fault) { return fault.catalogue == 38; }
+bool is_missing_feature(const faults::Fault& fault) { return fault.catalogue == 38; }
 
 /// What a fault costs in misfit. What is missing is asked for first, because tracers have that most.
-double price_of(const Fault& fault) {
+double price_of(const faults::Fault& fault) {
   constexpr double least = 0.003;
   if (is_missing_feature(fault)) return least;
   return least + 0.0005 + 0.002 / (1 + count_of(fault));
 }
 
-bool may_be_of_shading(const Fault& fault) {
+bool may_be_of_shading(const faults::Fault& fault) {
   constexpr int pixel_corner = 4, distance_truncated = 8;  // they show at edges, which are left out
   return !is_of_geometry(fault) && fault.catalogue != pixel_corner && fault.catalogue != distance_truncated;
 }
@@ -30,13 +30,14 @@ bool may_be_of_shading(const Fault& fault) {
 /// The faults that may be named: one of a family stands for the fault of the catalogue with its name.
 std::vector<std::size_t> faults_of_the_shading() {
   std::set<std::string_view> families;
-  for (const Fault& fault : shading_families()) families.insert(fault.id);
-  const std::size_t formulas = fault_catalogue().size();
+  for (const faults::Fault& fault : faults::shading_families()) families.insert(fault.id);
+  const std::size_t formulas = faults::fault_catalogue().size();
   std::vector<std::size_t> all;
   for (std::size_t i = 0; i < formulas; ++i) {
     if (may_be_of_shading(fault_at(i)) && families.count(fault_at(i).id) == 0) all.push_back(i);
   }
-  for (std::size_t i = formulas + geometry_families().size(); i < number_of_faults(); ++i) all.push_back(i);
+  for (std::size_t i = formulas + faults::geometry_families().size(); i < number_of_faults(); ++i)
+    all.push_back(i);
   return all;
 }
 
@@ -118,7 +119,7 @@ class ShadingSearch {
 
   static double cost(const Fit& fit) {
     double cost = fit.misfit;
-    for (const Fault* fault : faults_of(fit.set)) cost += price_of(*fault);
+    for (const faults::Fault* fault : faults_of(fit.set)) cost += price_of(*fault);
     return cost;
   }
 
@@ -242,17 +243,18 @@ class ShadingSearch {
   }
 
   /// Returns the faults that make about as many pixels right in the place of one, of other families.
-  std::vector<const Fault*> alike(const Fit& best, std::size_t fault) const {
+  std::vector<const faults::Fault*> alike(const Fit& best, std::size_t fault) const {
     const FaultSet rest = without(best.set, fault);
     const Fit without_it = fit(rest);
     // because the sample has chance in it
     constexpr double nearly = 0.1;
     const double most = best.misfit + nearly * (without_it.misfit - best.misfit);
-    std::vector<const Fault*> found;
+    std::vector<const faults::Fault*> found;
     for (const std::size_t other : candidates_) {
       if (!is_free(other, best.set) || fit(with(rest, other)).misfit > most) continue;
-      const Fault* const same_family = &fault_at(other);
-      if (std::none_of(found.begin(), found.end(), [&](const Fault* f) { return f->id == same_family->id; }))
+      const faults::Fault* const same_family = &fault_at(other);
+      if (std::none_of(found.begin(), found.end(),
+                       [&](const faults::Fault* f) { return f->id == same_family->id; }))
         found.push_back(same_family);
     }
     return found;
@@ -264,9 +266,9 @@ class ShadingSearch {
     constexpr double confidence = 0.95;  // below 1, because not all of the picture is explained
     FoundFault found{&fault_at(fault), 0, effect.righted * pixels_of_place_, alike(best, fault),
                      effect.changed * pixels_of_place_};
-    const bool is_one_mistake = std::all_of(found.alike.begin(), found.alike.end(), [&](const Fault* other) {
-      return other->catalogue == found.fault->catalogue;
-    });
+    const bool is_one_mistake =
+        std::all_of(found.alike.begin(), found.alike.end(),
+                    [&](const faults::Fault* other) { return other->catalogue == found.fault->catalogue; });
     constexpr double nearly_all = 0.95;
     if (found.alike.size() > most_alike || (!is_one_mistake && shading.right < nearly_all)) return;
     found.confidence = confidence * shading.right / static_cast<double>(1 + found.alike.size());
@@ -286,4 +288,4 @@ Shading shading_of(Evidence& evidence, const FaultSet& camera, const SurfacesSee
   return ShadingSearch(evidence, camera, surfaces).found();
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::diagnosis

@@ -6,7 +6,7 @@
 #include "references/diagnosis/diagnosis.hpp"
 #include "references/diagnosis/geometry.hpp"
 
-namespace plumb::references {
+namespace plumb::diagnosis {
 
 struct Shading {
   std::vector<FoundFault> faults;  ///< of fault_catalogue() and shading_families(); the largest effect first
@@ -20,4 +20,4 @@ struct Shading {
 /// picture has another cause. Leaves `evidence` looking at some of the pixels.
 Shading shading_of(Evidence& evidence, const FaultSet& camera, const SurfacesSeen& surfaces);
 
-}  // namespace plumb::references
+}  // namespace plumb::diagnosis

@@ -4,7 +4,7 @@
 
 #include "references/diagnosis/diagnosis.hpp"
 
-namespace plumb::references {
+namespace plumb::diagnosis {
 namespace {
 
 std::string count_text(std::size_t count, std::size_t of) {
@@ -62,4 +62,4 @@ std::string summary_of(const Diagnosis& diagnosis) {
          (diagnosis.non_finite == 1 ? " pixel is not finite" : " pixels are not finite");
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::diagnosis

@@ -3,7 +3,7 @@
 
 #include "references/faults/fault.hpp"
 
-namespace plumb::references::faults {
+namespace plumb::faults {
 
 std::vector<Fault> of_the_camera();
 std::vector<Fault> families_of_the_image_plane();
@@ -18,4 +18,4 @@ std::vector<Fault> of_the_output();
 std::vector<Fault> of_what_is_missing();
 std::vector<Fault> families_of_the_shading();
 
-}  // namespace plumb::references::faults
+}  // namespace plumb::faults

@@ -5,7 +5,7 @@
 
 #include "references/faults/areas.hpp"
 
-namespace plumb::references::faults {
+namespace plumb::faults {
 namespace {
 
 /// How the width of 1 of the image plane is turned into its height.
@@ -230,4 +230,4 @@ std::vector<Fault> of_the_camera() {
   return all;
 }
 
-}  // namespace plumb::references::faults
+}  // namespace plumb::faults

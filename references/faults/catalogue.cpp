@@ -6,7 +6,7 @@
 #include "tracer/textbook/rows.hpp"
 #include "tracer/textbook/tracer.hpp"
 
-namespace plumb::references {
+namespace plumb::faults {
 namespace {
 
 std::vector<Fault> all_faults() {
@@ -113,4 +113,4 @@ Image render_with(const Scene& scene, const Camera& camera, const textbook::Rend
   return image;
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::faults

@@ -13,7 +13,7 @@
 #include "tracer/textbook/ray_budget.hpp"
 #include "tracer/textbook/render.hpp"
 
-namespace plumb::references {
+namespace plumb::faults {
 
 /// A render that is still to be done, as faults change it.
 struct Subject {
@@ -68,4 +68,4 @@ std::vector<float> colours_with(const Scene& scene, const Camera& camera, const 
                                 const std::vector<const Fault*>& faults,
                                 const std::vector<PixelPlace>& places, textbook::Work& work);
 
-}  // namespace plumb::references
+}  // namespace plumb::faults

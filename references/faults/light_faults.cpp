@@ -4,7 +4,7 @@
 #include "references/faults/areas.hpp"
 #include "tracer/scene/hierarchy.hpp"
 
-namespace plumb::references::faults {
+namespace plumb::faults {
 namespace {
 
 void swap_ka_and_kd(Subject& s) {
@@ -88,4 +88,4 @@ std::vector<Fault> of_the_lights() {
   };
 }
 
-}  // namespace plumb::references::faults
+}  // namespace plumb::faults

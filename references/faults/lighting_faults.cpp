@@ -5,7 +5,7 @@
 
 #include "references/faults/areas.hpp"
 
-namespace plumb::references::faults {
+namespace plumb::faults {
 namespace {
 
 bool always_counts(double) { return true; }
@@ -161,4 +161,4 @@ std::vector<Fault> of_the_lighting() {
   return all;
 }
 
-}  // namespace plumb::references::faults
+}  // namespace plumb::faults

@@ -1,7 +1,7 @@
 // What a tracer leaves out: the number 38 of the catalogue.
 #include "references/faults/areas.hpp"
 
-namespace plumb::references::faults {
+namespace plumb::faults {
 namespace {
 
 template <auto what>
@@ -53,4 +53,4 @@ std::vector<Fault> of_what_is_missing() {
   return all;
 }
 
-}  // namespace plumb::references::faults
+}  // namespace plumb::faults

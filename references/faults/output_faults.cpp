@@ -5,7 +5,7 @@
 #include "references/faults/areas.hpp"
 #include "tracer/image/encode.hpp"
 
-namespace plumb::references::faults {
+namespace plumb::faults {
 namespace {
 
 void tone_map(Image& image) {
@@ -55,4 +55,4 @@ std::vector<Fault> of_the_output() {
   };
 }
 
-}  // namespace plumb::references::faults
+}  // namespace plumb::faults

@@ -5,7 +5,7 @@
 
 #include "references/faults/areas.hpp"
 
-namespace plumb::references::faults {
+namespace plumb::faults {
 namespace {
 
 using Bent = std::optional<Vec3d>;
@@ -151,4 +151,4 @@ std::vector<Fault> of_the_recursion() {
   return all;
 }
 
-}  // namespace plumb::references::faults
+}  // namespace plumb::faults

@@ -6,7 +6,7 @@
 
 #include "references/faults/areas.hpp"
 
-namespace plumb::references::faults {
+namespace plumb::faults {
 namespace {
 
 constexpr std::array ambient_constants{0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.35, 0.4, 0.45, 0.5,
@@ -98,4 +98,4 @@ std::vector<Fault> families_of_the_shading() {
   return all;
 }
 
-}  // namespace plumb::references::faults
+}  // namespace plumb::faults

@@ -1,7 +1,7 @@
 // Slide "Schatten".
 #include "references/faults/areas.hpp"
 
-namespace plumb::references::faults {
+namespace plumb::faults {
 namespace {
 
 using formulas::ShadowRay;
@@ -139,4 +139,4 @@ std::vector<Fault> of_the_shadows() {
   return all;
 }
 
-}  // namespace plumb::references::faults
+}  // namespace plumb::faults

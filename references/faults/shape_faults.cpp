@@ -1,7 +1,7 @@
 // Slides "Kugel", "Quader" and "Verfolgen von Strahlen": what is hit first.
 #include "references/faults/areas.hpp"
 
-namespace plumb::references::faults {
+namespace plumb::faults {
 namespace {
 
 using OptionalHit = std::optional<FaceHit<double>>;
@@ -102,4 +102,4 @@ std::vector<Fault> of_the_shapes() {
   };
 }
 
-}  // namespace plumb::references::faults
+}  // namespace plumb::faults

@@ -5,7 +5,7 @@
 
 #include "references/faults/areas.hpp"
 
-namespace plumb::references::faults {
+namespace plumb::faults {
 namespace {
 
 using Placed = Transform<double>;
@@ -239,4 +239,4 @@ std::vector<Fault> of_the_transforms() {
   return all;
 }
 
-}  // namespace plumb::references::faults
+}  // namespace plumb::faults

@@ -4,7 +4,7 @@
 #include "references/gates/bounds.hpp"
 #include "references/gates/verify.hpp"
 
-namespace plumb::references {
+namespace plumb::gates {
 
 /// An image and its baseline, of one size.
 struct BaselineJob {
@@ -17,10 +17,10 @@ struct BaselineJob {
 /// Sets figures and status. What plumb rendered is traced again: a pixel over the limit that is proven an
 /// edge, or the like, differs by chance; the resolution is the baseline's. It agrees, too, when no more
 /// pixels are over than may be.
-BoundedComparison judge_own(const Shot& shot, const Resolution& resolution, const BaselineJob& job,
+BoundedComparison judge_own(const Shot& shot, const renderers::Resolution& resolution, const BaselineJob& job,
                             SceneResult& result);
 
 /// The same for somebody else's image. Nothing is known of how its pixels are made, so none is explained.
 BoundedComparison judge_others(const BaselineJob& job, SceneResult& result);
 
-}  // namespace plumb::references
+}  // namespace plumb::gates

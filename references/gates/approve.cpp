@@ -13,7 +13,7 @@
 #include "tracer/text/shell_word.hpp"
 #include "tracer/text/words.hpp"
 
-namespace plumb::references {
+namespace plumb::gates {
 namespace {
 
 namespace fs = std::filesystem;
@@ -64,22 +64,22 @@ std::string command_of(const std::string& name, const RegressOptions& options,
   return "plumb render " + shell_word(file) + " -o " + shell_word(image.string()) + request.arguments;
 }
 
-Baseline record_of(const std::string& path, const std::string& name, const RegressOptions& options,
-                   const ApprovalRequest& request) {
-  Baseline record;
+renderers::Baseline record_of(const std::string& path, const std::string& name, const RegressOptions& options,
+                              const ApprovalRequest& request) {
+  renderers::Baseline record;
   record.name = name;
   record.who = request.who;
   record.when = now();
   record.why = request.why;
   record.version = PLUMB_VERSION;
-  record.scene_sha256 = sha256(read_text_file(path));
+  record.scene_sha256 = system::sha256(read_text_file(path));
   record.command = command_of(name, options, request);
   if (options.other) record.renderer = options.other->facts().name;
   return record;
 }
 
 /// True if the baseline holds this image. A damaged one does not, so it is approved anew.
-bool holds(const Baselines& baselines, const Baseline& record, const Image& image) {
+bool holds(const renderers::Baselines& baselines, const renderers::Baseline& record, const Image& image) {
   try {
     const Image approved = baselines.load(record);
     return approved.width == image.width && approved.height == image.height && approved.rgb == image.rgb;
@@ -89,10 +89,11 @@ bool holds(const Baselines& baselines, const Baseline& record, const Image& imag
 }
 
 /// Says who approved this very image of this very scene before; empty when nobody did.
-std::string approved_before(const ApprovedImages& approved, const Baseline& record, const Image& image) {
+std::string approved_before(const ApprovedImages& approved, const renderers::Baseline& record,
+                            const Image& image) {
   const auto found = approved.find(record.name);
   if (!found) return {};
-  const Baseline& before = *found->record;
+  const renderers::Baseline& before = *found->record;
   const bool is_same = before.scene_sha256 == record.scene_sha256 && before.renderer == record.renderer &&
                        (before.command == record.command || !approved.has_own(record.name)) &&
                        holds(*found->baselines, before, image);
@@ -137,9 +138,10 @@ void expect_own(const std::string& name, const ApprovedImages& approved, const R
 }
 
 Approved approve_one(const std::string& path, const std::string& name, const ApprovedImages& approved,
-                     const RegressOptions& options, const ApprovalRequest& request, BaselineUpdate& update) {
-  const Baseline record = record_of(path, name, options, request);
-  const Rendered picture = rendered(path, options, request.warn);
+                     const RegressOptions& options, const ApprovalRequest& request,
+                     renderers::BaselineUpdate& update) {
+  const renderers::Baseline record = record_of(path, name, options, request);
+  const renderers::Rendered picture = rendered(path, options, request.warn);
   refuse_non_finite(picture.image, path);
   const std::string before = approved_before(approved, record, picture.image);
   if (before.empty()) update.add(record, picture.image);
@@ -156,7 +158,7 @@ std::vector<Approved> approve(const std::string& directory, const RegressOptions
     throw std::runtime_error(directory + ": found no scene in it, expected at least one *.sdf");
   expect_clear_variant(directory, options.variant, scenes);
   const ApprovedImages approved(directory, options.variant);
-  BaselineUpdate update(baselines_of(directory, options.variant), directory);
+  renderers::BaselineUpdate update(baselines_of(directory, options.variant), directory);
   std::vector<Approved> result;
   for (const std::string& name : meant(directory, scenes, approved, request)) {
     if (is_among(scenes, name)) {
@@ -171,4 +173,4 @@ std::vector<Approved> approve(const std::string& directory, const RegressOptions
   return result;
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::gates

@@ -7,7 +7,7 @@
 
 #include "references/gates/regress.hpp"
 
-namespace plumb::references {
+namespace plumb::gates {
 
 struct ApprovalRequest {
   std::vector<std::string> scenes;  ///< each NAME, NAME.sdf or a path
@@ -35,4 +35,4 @@ struct Approved {
 std::vector<Approved> approve(const std::string& directory, const RegressOptions& options,
                               const ApprovalRequest& request);
 
-}  // namespace plumb::references
+}  // namespace plumb::gates

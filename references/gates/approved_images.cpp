@@ -5,7 +5,7 @@
 
 #include "references/gates/scene_directory.hpp"
 
-namespace plumb::references {
+namespace plumb::gates {
 
 ApprovedImages::ApprovedImages(const std::string& directory, const std::string& variant)
     : plain_(baselines_of(directory)) {
@@ -14,12 +14,12 @@ ApprovedImages::ApprovedImages(const std::string& directory, const std::string& 
 
 std::optional<ApprovedImages::Found> ApprovedImages::find(const std::string& name) const {
   if (variant_) {
-    if (const Baseline* const record = variant_->baselines.find(name))
+    if (const renderers::Baseline* const record = variant_->baselines.find(name))
       return Found{&variant_->baselines, record};
     // An image without its record is an error that the caller reports.
     if (std::filesystem::exists(variant_->baselines.image_path(name))) return std::nullopt;
   }
-  const Baseline* const record = plain_.baselines.find(name);
+  const renderers::Baseline* const record = plain_.baselines.find(name);
   return record == nullptr ? std::nullopt : std::optional(Found{&plain_.baselines, record});
 }
 
@@ -53,4 +53,4 @@ std::string ApprovedImages::complaint_about_bounds(const std::vector<std::string
   return complaint.empty() && variant_ ? variant_->bounds.complaint_about_others(scenes) : complaint;
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::gates

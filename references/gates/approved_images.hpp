@@ -8,7 +8,7 @@
 #include "references/gates/bounds_file.hpp"
 #include "references/renderers/baselines.hpp"
 
-namespace plumb::references {
+namespace plumb::gates {
 
 class ApprovedImages {
  public:
@@ -17,8 +17,8 @@ class ApprovedImages {
   ApprovedImages(const std::string& directory, const std::string& variant);
 
   struct Found {
-    const Baselines* baselines;
-    const Baseline* record;
+    const renderers::Baselines* baselines;
+    const renderers::Baseline* record;
   };
   std::optional<Found> find(const std::string& name) const;
   /// True if the baseline is that of the variant (or the plain one, without a variant).
@@ -37,11 +37,11 @@ class ApprovedImages {
  private:
   struct Place {
     explicit Place(const std::string& directory) : baselines(directory), bounds(directory) {}
-    Baselines baselines;
+    renderers::Baselines baselines;
     BoundsFile bounds;
   };
   Place plain_;
   std::optional<Place> variant_;
 };
 
-}  // namespace plumb::references
+}  // namespace plumb::gates

@@ -10,7 +10,7 @@
 
 #include "references/system/process.hpp"
 
-namespace plumb::references {
+namespace plumb::gates {
 namespace {
 
 std::string variable(const char* name) {
@@ -31,14 +31,14 @@ std::vector<std::string> environment_of_git() {
 
 /// Returns an empty text without git, without the key, or when git takes too long.
 std::string configured(const std::string& directory, const std::string& key) {
-  const std::string git = find_program("git");
+  const std::string git = system::find_program("git");
   if (git.empty()) return {};
-  ProcessLimits limits;
+  system::ProcessLimits limits;
   limits.seconds = 10;
-  const TemporaryDirectory own;
+  const system::TemporaryDirectory own;
   const std::string place = std::filesystem::absolute(directory).string();
-  const ProcessResult result =
-      run_process({git, "-C", place, "config", "--get", key}, own.path(), limits, environment_of_git());
+  const system::ProcessResult result = system::run_process({git, "-C", place, "config", "--get", key},
+                                                           own.path(), limits, environment_of_git());
   if (result.timed_out || result.signal != 0 || result.exit_code != 0) return {};
   return result.output.substr(0, result.output.find('\n'));
 }
@@ -59,4 +59,4 @@ std::string author_in(const std::string& directory) {
   return user != nullptr ? user->pw_name : "user " + std::to_string(getuid());
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::gates

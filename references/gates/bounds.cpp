@@ -11,7 +11,7 @@
 #include "tracer/text/numbers.hpp"
 #include "tracer/text/words.hpp"
 
-namespace plumb::references {
+namespace plumb::gates {
 namespace {
 
 std::string size_text(int width, int height) {
@@ -41,7 +41,7 @@ bool is_outside(const Window& r, int width, int height) {
   return r.x >= width || r.y >= height || 0LL + r.x + r.width <= 0 || 0LL + r.y + r.height <= 0;
 }
 
-void set_rectangle(PixelMask& mask, const Region& region, int width, int height, bool counts) {
+void set_rectangle(comparison::PixelMask& mask, const Region& region, int width, int height, bool counts) {
   if (is_outside(*region.rectangle, width, height)) {
     throw std::invalid_argument("region " + region.text +
                                 ": found a rectangle that lies outside of the picture"
@@ -54,7 +54,7 @@ void set_rectangle(PixelMask& mask, const Region& region, int width, int height,
 /// Returns the number of colours. Alpha is none: with it, nothing in an opaque mask would be black.
 int colour_channels(int channels) { return channels == 2 ? 1 : std::min(channels, 3); }
 
-void set_row(PixelMask& mask, const Region& region, const PixelRows& rows, int y, bool counts) {
+void set_row(comparison::PixelMask& mask, const Region& region, const PixelRows& rows, int y, bool counts) {
   std::vector<float> row(rows.row_values());
   rows.copy_row(y, row.data());
   for (int x = 0; x < rows.width; ++x) {
@@ -69,7 +69,7 @@ void set_row(PixelMask& mask, const Region& region, const PixelRows& rows, int y
   }
 }
 
-void set_masked(PixelMask& mask, const Region& region, int width, int height, bool counts) {
+void set_masked(comparison::PixelMask& mask, const Region& region, int width, int height, bool counts) {
   const PixelRows rows = open_image(region.mask_path);
   if (rows.width != width || rows.height != height) {
     throw std::invalid_argument(region.mask_path + ": found a mask of " + size_text(rows.width, rows.height) +
@@ -78,12 +78,13 @@ void set_masked(PixelMask& mask, const Region& region, int width, int height, bo
   for (int y = 0; y < height; ++y) set_row(mask, region, rows, y, counts);
 }
 
-void set_region(PixelMask& mask, const Region& region, int width, int height, bool counts) {
+void set_region(comparison::PixelMask& mask, const Region& region, int width, int height, bool counts) {
   region.rectangle ? set_rectangle(mask, region, width, height, counts)
                    : set_masked(mask, region, width, height, counts);
 }
 
-std::size_t non_finite_outside(const PixelRows& rows, const PixelRows& other, const PixelMask& mask) {
+std::size_t non_finite_outside(const PixelRows& rows, const PixelRows& other,
+                               const comparison::PixelMask& mask) {
   std::size_t count = 0;
   std::vector<double> r(rows.row_values()), t(rows.row_values());
   const auto is_finite = [](double v) { return std::isfinite(v); };
@@ -150,9 +151,9 @@ Region parse_region(const std::string& text, const std::string& what, const std:
   return {text, std::nullopt, (std::filesystem::path(directory) / text).string()};
 }
 
-PixelMask mask_of(const Bounds& bounds, int width, int height) {
+comparison::PixelMask mask_of(const Bounds& bounds, int width, int height) {
   if (!bounds.has_regions()) return {};
-  PixelMask mask(width, height, bounds.only.empty());
+  comparison::PixelMask mask(width, height, bounds.only.empty());
   for (const Region& region : bounds.only) set_region(mask, region, width, height, true);
   for (const Region& region : bounds.ignore) set_region(mask, region, width, height, false);
   if (mask.count() > 0) return mask;
@@ -162,7 +163,7 @@ PixelMask mask_of(const Bounds& bounds, int width, int height) {
 BoundedComparison compare_within(const PixelRows& reference, const PixelRows& test, const Bounds& bounds) {
   BoundedComparison result;
   result.mask = mask_of(bounds, reference.width, reference.height);
-  result.comparison = compare(reference, test, bounds.limit, result.mask);
+  result.comparison = comparison::compare(reference, test, bounds.limit, result.mask);
   result.allowed_over = bounds.allow_over.of(result.comparison.pixels);
   if (result.mask.has_all()) return result;
   const auto all = static_cast<std::size_t>(reference.width) * static_cast<std::size_t>(reference.height);
@@ -172,8 +173,8 @@ BoundedComparison compare_within(const PixelRows& reference, const PixelRows& te
 }
 
 BoundedComparison compare_within(const Image& reference, const Image& test, const Bounds& bounds) {
-  expect_one_size(reference, test);
-  return compare_within(rows_over(reference), rows_over(test), bounds);
+  comparison::expect_one_size(reference, test);
+  return compare_within(comparison::rows_over(reference), comparison::rows_over(test), bounds);
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::gates

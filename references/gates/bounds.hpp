@@ -10,7 +10,7 @@
 #include "references/comparison/pixel_mask.hpp"
 #include "tracer/image/image_file.hpp"
 
-namespace plumb::references {
+namespace plumb::gates {
 
 /// How many pixels may be over: a number of pixels, or a percentage of those that are compared.
 struct AllowOver {
@@ -31,7 +31,7 @@ struct Region {
 };
 
 struct Bounds {
-  Limit limit = 1e-6;
+  comparison::Limit limit = 1e-6;
   AllowOver allow_over;
   std::vector<Region> ignore;  ///< these pixels are left out
   std::vector<Region> only;    ///< if there are any, all pixels outside of them are left out
@@ -52,13 +52,13 @@ Region parse_region(const std::string& text, const std::string& what, const std:
 /// Returns the pixels of a picture of this size that count. Throws std::invalid_argument when a rectangle
 /// lies outside of the picture, when a mask has another size or when no pixel is left, and std::runtime_error
 /// when a mask cannot be read.
-PixelMask mask_of(const Bounds& bounds, int width, int height);
+comparison::PixelMask mask_of(const Bounds& bounds, int width, int height);
 
 /// A comparison and what its bounds made of it.
 struct BoundedComparison {
-  PixelMask mask;           ///< of the pixels that count
-  Comparison comparison;    ///< of the pixels that count
-  std::size_t ignored = 0;  ///< number of pixels that do not count
+  comparison::PixelMask mask;         ///< of the pixels that count
+  comparison::Comparison comparison;  ///< of the pixels that count
+  std::size_t ignored = 0;            ///< number of pixels that do not count
   std::size_t ignored_non_finite = 0;
   std::size_t allowed_over = 0;  ///< the number of pixels that may be over
 
@@ -70,4 +70,4 @@ struct BoundedComparison {
 BoundedComparison compare_within(const PixelRows& reference, const PixelRows& test, const Bounds& bounds);
 BoundedComparison compare_within(const Image& reference, const Image& test, const Bounds& bounds);
 
-}  // namespace plumb::references
+}  // namespace plumb::gates

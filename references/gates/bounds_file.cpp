@@ -11,7 +11,7 @@
 #include "tracer/system/files.hpp"
 #include "tracer/text/words.hpp"
 
-namespace plumb::references {
+namespace plumb::gates {
 namespace {
 
 using Json = nlohmann::json;
@@ -85,7 +85,7 @@ class BoundsFile::Reader {
 
   [[noreturn]] void fail(const std::string& key, const Json& found, const std::string& expected) const {
     throw std::runtime_error(where_ + (key.empty() ? "" : ": " + in_quotes(key)) + ": found " +
-                             json_text_of_any_bytes(found) + ", expected " + expected);
+                             system::json_text_of_any_bytes(found) + ", expected " + expected);
   }
 
   double number(const std::string& key, const Json& value) const {
@@ -98,7 +98,7 @@ class BoundsFile::Reader {
     if (!value.is_number_unsigned() && !value.is_string())
       fail(key, value, "a number of pixels or a percentage of them, e.g. 12 or \"0.5%\"");
     return in_file([&] {
-      return parse_allow_over(value.is_string() ? value.get<std::string>() : json_text(value),
+      return parse_allow_over(value.is_string() ? value.get<std::string>() : system::json_text(value),
                               where_ + ": " + key);
     });
   }
@@ -165,4 +165,4 @@ std::string BoundsFile::complaint_about_others(const std::vector<std::string>& n
   return {};
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::gates

@@ -9,7 +9,7 @@
 
 #include "references/gates/bounds.hpp"
 
-namespace plumb::references {
+namespace plumb::gates {
 
 /// The file is an object whose keys are names of scenes or pictures, e.g.
 ///     {"glass": {"allow_over": "0.1%", "ignore": ["0,0,64,16"], "because": "the clock is drawn there"}}
@@ -46,4 +46,4 @@ class BoundsFile {
   std::map<std::string, Entry> entries_;
 };
 
-}  // namespace plumb::references
+}  // namespace plumb::gates

@@ -10,7 +10,7 @@
 #include "references/gates/bounds.hpp"
 #include "tracer/image/io.hpp"
 
-namespace plumb::references {
+namespace plumb::gates {
 
 /// What is asked for of every pair.
 struct PairOptions {
@@ -25,8 +25,8 @@ struct Findings {
   PixelRows reference;
   PixelRows test;
   BoundedComparison result;
-  std::optional<LikelyCause> cause;
-  std::optional<Metrics> metrics;
+  std::optional<comparison::LikelyCause> cause;
+  std::optional<comparison::Metrics> metrics;
   std::string no_metrics;  ///< why there are none although they were asked for
 
   bool agrees() const { return result.agrees(); }
@@ -36,4 +36,4 @@ struct Findings {
 Findings compare_files(const std::string& reference, const std::string& test, const Bounds& bounds,
                        const PairOptions& options);
 
-}  // namespace plumb::references
+}  // namespace plumb::gates

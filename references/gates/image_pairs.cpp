@@ -12,7 +12,7 @@
 #include "references/gates/bounds_file.hpp"
 #include "tracer/image/format.hpp"
 
-namespace plumb::references {
+namespace plumb::gates {
 namespace {
 
 namespace fs = std::filesystem;
@@ -212,4 +212,4 @@ ImagePairs pair_images(const std::string& reference, const std::string& test,
   return result;
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::gates

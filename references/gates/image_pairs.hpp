@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace plumb::references {
+namespace plumb::gates {
 
 /// True if an argument stands for several pictures: a directory, or a pattern with *, ? or [ that is no file.
 bool names_several(const std::string& argument);
@@ -32,4 +32,4 @@ ImagePairs pair_images(const std::string& reference, const std::string& test,
 /// Returns the part of the path before the first component with a wildcard; a directory itself.
 std::string directory_of(const std::string& argument);
 
-}  // namespace plumb::references
+}  // namespace plumb::gates

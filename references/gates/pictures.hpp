@@ -7,7 +7,7 @@
 #include "references/attribution/attribution.hpp"
 #include "tracer/image/image.hpp"
 
-namespace plumb::references {
+namespace plumb::gates {
 
 struct Pictures {
   /// What the rays of the scene can be traced with.
@@ -23,6 +23,6 @@ struct Pictures {
 };
 
 /// Copies of what the job has.
-std::shared_ptr<const Pictures> pictures_of(const AttributionJob& job);
+std::shared_ptr<const Pictures> pictures_of(const attribution::AttributionJob& job);
 
-}  // namespace plumb::references
+}  // namespace plumb::gates

@@ -15,7 +15,7 @@
 #include "references/system/digest.hpp"
 #include "tracer/format/reader.hpp"
 
-namespace plumb::references {
+namespace plumb::gates {
 namespace {
 
 namespace fs = std::filesystem;
@@ -38,13 +38,13 @@ Shot shot_for(const Scene& scene, const std::string& path, const RegressOptions&
   return options.other ? shot_of(scene, {}, path) : shot_of(scene, options, path);
 }
 
-Rendered rendered(const Shot& shot, const RegressOptions& options) {
+renderers::Rendered rendered(const Shot& shot, const RegressOptions& options) {
   if (options.other) return options.other->render(shot);
   RenderJob how;
   how.real = options.real;
   how.threads = options.threads;
   how.progress = options.progress;
-  return OurRenderer(options.tracer, how).render(shot);
+  return renderers::OurRenderer(options.tracer, how).render(shot);
 }
 
 /// A scene without a baseline differs from what was approved: nothing.
@@ -60,7 +60,7 @@ void judge_new(const ApprovedImages& approved, RegressedScene& scene) {
 }
 
 /// What two renderers make of a scene says nothing about either.
-void expect_same_renderer(const Baseline& baseline, const RegressOptions& options) {
+void expect_same_renderer(const renderers::Baseline& baseline, const RegressOptions& options) {
   if (baseline.renderer.empty() == !options.other) return;
   throw std::runtime_error(baseline.renderer.empty()
                                ? "the baseline is plumb's own picture, not the renderer's: compare without "
@@ -77,8 +77,8 @@ void judge_size(RegressedScene& scene) {
 }
 
 /// What somebody else's renderer made is not traced again.
-BoundedComparison compared(const Shot& shot, const Renderer& baseline, const RegressOptions& options,
-                           const Bounds& bounds, RegressedScene& scene) {
+BoundedComparison compared(const Shot& shot, const renderers::Renderer& baseline,
+                           const RegressOptions& options, const Bounds& bounds, RegressedScene& scene) {
   const BaselineJob job{*scene.baseline, *scene.image, bounds, options.keeps_pictures};
   const auto& resolution = baseline.facts().resolution;
   return resolution ? judge_own(shot, *resolution, job, scene.result) : judge_others(job, scene.result);
@@ -90,10 +90,10 @@ void judge_image(const ApprovedImages& approved, const RegressOptions& options, 
   SceneResult& result = scene.result;
   if (!found) return judge_new(approved, scene);
   expect_same_renderer(*found->record, options);
-  const BaselineRenderer baseline(*found->baselines, *found->record);
+  const renderers::BaselineRenderer baseline(*found->baselines, *found->record);
   scene.baseline = baseline.render(shot).image;
   scene.approved = *found->record;
-  scene.has_changed = found->record->scene_sha256 != sha256(read_text_file(result.scene));
+  scene.has_changed = found->record->scene_sha256 != system::sha256(read_text_file(result.scene));
   if (found->record->width != result.width || found->record->height != result.height)
     return judge_size(scene);
   const Bounds bounds = approved.bounds_of(scene.name, options.bounds);
@@ -106,7 +106,7 @@ void judge_scene(const ApprovedImages& approved, const RegressOptions& options, 
   const Scene read = load_scene(result.scene, options.dialect);
   const Shot shot = shot_for(read, result.scene, options);
   const std::clock_t before = std::clock();
-  Rendered picture = rendered(shot, options);
+  renderers::Rendered picture = rendered(shot, options);
   result.seconds_ours = static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC;
   scene.image = std::move(picture.image);
   result.width = scene.image->width;
@@ -147,8 +147,8 @@ RegressedScene orphan(const ApprovedImages& approved, const std::string& directo
 
 }  // namespace
 
-Rendered rendered(const std::string& scene_path, const RegressOptions& options,
-                  const std::function<void(const std::string&)>& warn) {
+renderers::Rendered rendered(const std::string& scene_path, const RegressOptions& options,
+                             const std::function<void(const std::string&)>& warn) {
   const Scene scene = load_scene(scene_path, options.dialect, options.other ? nullptr : warn);
   return rendered(shot_for(scene, scene_path, options), options);
 }
@@ -189,4 +189,4 @@ std::vector<RegressedScene> regress(const std::string& directory, const RegressO
   return scenes;
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::gates

@@ -9,7 +9,7 @@
 #include "references/renderers/baselines.hpp"
 #include "tracer/text/words.hpp"
 
-namespace plumb::references {
+namespace plumb::gates {
 namespace {
 
 namespace fs = std::filesystem;
@@ -86,11 +86,12 @@ void expect_clear_variant(const std::string& directory, const std::string& varia
                                 ", expected letters, digits and _ - . + as in linux-gcc12");
   for (const std::string& name : names) {
     const std::string first = name.substr(0, name.find('/'));
-    if (first == name || (first != variant && !Baselines::are_in(baselines_of(directory, first)))) continue;
+    if (first == name || (first != variant && !renderers::Baselines::are_in(baselines_of(directory, first))))
+      continue;
     throw std::runtime_error(directory + ": found " + in_quotes(first) +
                              " both as a directory of scenes and as a variant, whose images would lie in one "
                              "place; expected another name for one of them");
   }
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::gates

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace plumb::references {
+namespace plumb::gates {
 
 /// Returns where the baselines of a directory of scenes are: DIRECTORY/baselines, or in it a directory of the
 /// variant's name.
@@ -24,4 +24,4 @@ std::vector<std::string> scene_names(const std::string& directory);
 void expect_clear_variant(const std::string& directory, const std::string& variant,
                           const std::vector<std::string>& names);
 
-}  // namespace plumb::references
+}  // namespace plumb::gates

@@ -10,7 +10,7 @@
 #include "tracer/format/reader.hpp"
 #include "tracer/system/in_parallel.hpp"
 
-namespace plumb::references {
+namespace plumb::gates {
 namespace {
 
 /// A reference like POV-Ray mostly waits (0.65 s a run), so more runs than cores at once.
@@ -26,20 +26,20 @@ double cpu_seconds(bool of_process) {
 /// One scene on both sides: as it is, and term by term.
 class SceneVerifier {
  public:
-  SceneVerifier(const VerifyOptions& options, const Renderer& reference, int threads, const Shot& shot,
-                SceneResult& result)
+  SceneVerifier(const VerifyOptions& options, const renderers::Renderer& reference, int threads,
+                const Shot& shot, SceneResult& result)
       : options_(options), reference_(reference), threads_(threads), shot_(shot), result_(result) {}
 
   void whole(std::size_t warnings) {
-    const Rendered reference = reference_.render(shot_);
+    const renderers::Rendered reference = reference_.render(shot_);
     result_.cached = reference.cached;
     result_.stored = reference.stored;
     result_.seconds_reference = reference.cpu_seconds;
     const double before = cpu_seconds(threads_ > 1);
     const Image ours = ours_of(shot_, options_.real);
     result_.seconds_ours = cpu_seconds(threads_ > 1) - before;
-    const AttributionJob whole = job(shot_, reference, ours);
-    if (options_.judge) result_.judgement = judge_pixels(whole);
+    const attribution::AttributionJob whole = job(shot_, reference, ours);
+    if (options_.judge) result_.judgement = truth::judge_pixels(whole);
     judge(whole, result_);
     result_.reference_title = reference_.facts().title;
     result_.reference_warnings = reference.warnings;
@@ -51,8 +51,9 @@ class SceneVerifier {
   }
 
   void by_terms() {
-    for (const Term term : all_terms) {
-      TermResult& result = result_.terms.emplace_back(TermResult{term, has(term, shot_.scene), {}});
+    for (const attribution::Term term : attribution::all_terms) {
+      TermResult& result =
+          result_.terms.emplace_back(TermResult{term, attribution::has(term, shot_.scene), {}});
       try {
         if (result.in_scene) compare_term(result);
       } catch (const std::runtime_error& error) {
@@ -65,24 +66,26 @@ class SceneVerifier {
   FloatSuspect suspect_float(const Image& ours) const {
     try {
       const Image in_double = ours_of(shot_, RealType::float64);
-      return {compare(in_double, ours, options_.tolerance).judged_error};
+      return {comparison::compare(in_double, ours, options_.tolerance).judged_error};
     } catch (const std::runtime_error&) {
       return {};  // the verdict stands without the figure
     }
   }
 
   void compare_term(TermResult& result) const {
-    const TermScene reduced = only(result.term, shot_.scene, shot_.options);
+    const attribution::TermScene reduced = attribution::only(result.term, shot_.scene, shot_.options);
     const Shot shot{reduced.scene, shot_.camera, shot_.width, shot_.height, reduced.options, shot_.file};
-    const Rendered reference = reference_.render(shot);
+    const renderers::Rendered reference = reference_.render(shot);
     const Image ours = ours_of(shot, options_.real);
-    result.comparison = compare(reference.image, ours, options_.tolerance);
+    result.comparison = comparison::compare(reference.image, ours, options_.tolerance);
     if (result.comparison->pixels_over > 0) {
-      result.unexplained = attribute(job(shot, reference, ours)).count(Cause::unexplained);
+      result.unexplained =
+          attribution::attribute(job(shot, reference, ours)).count(attribution::Cause::unexplained);
     }
   }
 
-  AttributionJob job(const Shot& shot, const Rendered& reference, const Image& ours) const {
+  attribution::AttributionJob job(const Shot& shot, const renderers::Rendered& reference,
+                                  const Image& ours) const {
     return {shot,           reference.image, ours, options_.tolerance, reference_.facts().resolution.value(),
             reference.holds};
   }
@@ -92,17 +95,18 @@ class SceneVerifier {
     RenderJob how;
     how.real = real;
     how.threads = threads_;
-    return OurRenderer(options_.tracer, how).render(shot).image;
+    return renderers::OurRenderer(options_.tracer, how).render(shot).image;
   }
 
   const VerifyOptions& options_;
-  const Renderer& reference_;
+  const renderers::Renderer& reference_;
   int threads_;
   const Shot& shot_;
   SceneResult& result_;
 };
 
-void verify_scene(const VerifyOptions& options, const Renderer& reference, int threads, SceneResult& result) {
+void verify_scene(const VerifyOptions& options, const renderers::Renderer& reference, int threads,
+                  SceneResult& result) {
   std::size_t warnings = 0;
   const Scene scene = load_scene(result.scene, options.dialect, [&](const std::string&) { ++warnings; });
   const RenderRequest& asked = scene.renders.front();
@@ -160,17 +164,19 @@ int VerifyReport::exit_code() const {
   return has(Status::differ) ? 1 : 0;
 }
 
-void judge(const AttributionJob& job, SceneResult& result) {
-  result.comparison = compare(job.reference, job.test, job.tolerance);
-  const auto view = [](const Image& i) { return PictureView{i.width, i.height, 3, i.rgb.data()}; };
-  result.metrics = cheap_metrics(view(job.reference), view(job.test));
+void judge(const attribution::AttributionJob& job, SceneResult& result) {
+  result.comparison = comparison::compare(job.reference, job.test, job.tolerance);
+  const auto view = [](const Image& i) {
+    return comparison::PictureView{i.width, i.height, 3, i.rgb.data()};
+  };
+  result.metrics = comparison::cheap_metrics(view(job.reference), view(job.test));
   if (result.comparison.pixels_over > 0) {
-    result.budget = attribute(job);
-    settle_undecided(job, result.budget);
+    result.budget = attribution::attribute(job);
+    truth::settle_undecided(job, result.budget);
   }
-  if (result.judgement) reconcile(*result.judgement, result.budget);
-  result.broken_bound = broken_bound(result.budget, result.width, result.height);
-  const bool agrees = result.budget.count(Cause::unexplained) == 0 && !result.broken_bound;
+  if (result.judgement) truth::reconcile(*result.judgement, result.budget);
+  result.broken_bound = attribution::broken_bound(result.budget, result.width, result.height);
+  const bool agrees = result.budget.count(attribution::Cause::unexplained) == 0 && !result.broken_bound;
   result.status = agrees ? Status::agree : Status::differ;
   result.has_causes = true;
   result.no_figures.reset();
@@ -178,7 +184,7 @@ void judge(const AttributionJob& job, SceneResult& result) {
 
 VerifyReport verify(const std::vector<std::string>& scenes, const VerifyOptions& options,
                     const std::function<void(SceneResult&)>& done) {
-  const Reference reference = reference_renderer(options.reference);
+  const renderers::Reference reference = renderers::reference_renderer(options.reference);
   VerifyReport report;
   report.reference = reference.renderer->facts();
   report.reference_version = reference.renderer->version();
@@ -205,4 +211,4 @@ VerifyReport verify(const std::vector<std::string>& scenes, const VerifyOptions&
   return report;
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::gates

@@ -18,28 +18,30 @@
 #include "references/truth/judgement.hpp"
 #include "tracer/textbook/render.hpp"
 
-namespace plumb::references {
+namespace plumb::gates {
 
 enum class Status { agree, differ, error };
 
 const char* to_string(Status status);
 
 struct VerifyOptions : PictureOptions {
-  ReferenceOptions reference;
+  renderers::ReferenceOptions reference;
   int jobs = 0;        ///< scenes at once; 0: as many as keep the machine busy
   bool terms = false;  ///< also compare each term of the shading alone
   bool judge = false;  ///< also say, of each pixel over, who is wrong: ours nowhere, or it differs
   std::function<void(const std::string&)> on_notice;  ///< called first, when there is one; may be empty
-  const Renderer* ours = nullptr;  ///< renders our side in place of `tracer`, to be judged; may be null
+  const renderers::Renderer* ours =
+      nullptr;  ///< renders our side in place of `tracer`, to be judged; may be null
 };
 
 /// One term of the shading alone, on both sides.
 struct TermResult {
-  Term term;
-  bool in_scene = true;                  ///< both sides are black where the scene has none of it
-  std::optional<Comparison> comparison;  ///< of a term in the scene; nothing when it could not be made
-  std::size_t unexplained = 0;           ///< pixels
-  std::string trouble{};                 ///< why it could not be made; else empty
+  attribution::Term term;
+  bool in_scene = true;  ///< both sides are black where the scene has none of it
+  std::optional<comparison::Comparison>
+      comparison;               ///< of a term in the scene; nothing when it could not be made
+  std::size_t unexplained = 0;  ///< pixels
+  std::string trouble{};        ///< why it could not be made; else empty
 };
 
 /// Why there are no figures.
@@ -59,32 +61,32 @@ struct SceneResult {
   int width = 0;
   int height = 0;
   std::optional<NoFigures> no_figures = NoFigures::trouble;  ///< nothing when there are figures
-  Comparison comparison;
-  PixelMask mask;   ///< of the pixels that count; some do not where bounds leave regions out
-  Metrics metrics;  ///< the cheap ones
-  Budget budget;
-  bool has_causes = false;                  ///< they were sought; else all pixels over are unexplained
-  std::optional<BrokenBound> broken_bound;  ///< of the budget
-  std::vector<TermResult> terms;            ///< all, when they were asked for
-  std::optional<Judgement> judgement;       ///< when it was asked for
-  std::string reference_title;              ///< of the reference renderer, for people
-  std::string reference_warnings;           ///< of the reference renderer
-  bool is_of_one_colour = false;            ///< our picture: agreement means little then
-  std::size_t scene_warnings = 0;           ///< of reading the scene
-  std::optional<FloatSuspect> suspect;      ///< where float may be all that is wrong
-  double seconds_ours = 0;                  ///< of CPU time
-  double seconds_reference = 0;             ///< of CPU time, when it was rendered
-  bool cached = false;                      ///< or stored: the reference was not rendered now
+  comparison::Comparison comparison;
+  comparison::PixelMask mask;   ///< of the pixels that count; some do not where bounds leave regions out
+  comparison::Metrics metrics;  ///< the cheap ones
+  attribution::Budget budget;
+  bool has_causes = false;  ///< they were sought; else all pixels over are unexplained
+  std::optional<attribution::BrokenBound> broken_bound;  ///< of the budget
+  std::vector<TermResult> terms;                         ///< all, when they were asked for
+  std::optional<truth::Judgement> judgement;             ///< when it was asked for
+  std::string reference_title;                           ///< of the reference renderer, for people
+  std::string reference_warnings;                        ///< of the reference renderer
+  bool is_of_one_colour = false;                         ///< our picture: agreement means little then
+  std::size_t scene_warnings = 0;                        ///< of reading the scene
+  std::optional<FloatSuspect> suspect;                   ///< where float may be all that is wrong
+  double seconds_ours = 0;                               ///< of CPU time
+  double seconds_reference = 0;                          ///< of CPU time, when it was rendered
+  bool cached = false;                                   ///< or stored: the reference was not rendered now
   bool stored = false;
   std::shared_ptr<const Pictures> pictures;  ///< when they are kept and both sides were rendered
 };
 
 /// Compares the pictures, attributes every pixel over, and sets the figures and the status; where there is a
 /// judgement already, what it refutes is unexplained. Width and height are set already.
-void judge(const AttributionJob& job, SceneResult& result);
+void judge(const attribution::AttributionJob& job, SceneResult& result);
 
 struct VerifyReport {
-  RendererFacts reference;  ///< what was compared with
+  renderers::RendererFacts reference;  ///< what was compared with
   std::string reference_version;
   std::string notice;               ///< to be said loudly: stored images are used because ...
   std::string complaint;            ///< to be said: the cache cannot be written; figures and verdicts stand
@@ -99,4 +101,4 @@ struct VerifyReport {
 VerifyReport verify(const std::vector<std::string>& scenes, const VerifyOptions& options,
                     const std::function<void(SceneResult&)>& done);
 
-}  // namespace plumb::references
+}  // namespace plumb::gates

@@ -2,7 +2,7 @@
 
 #include "references/renderers/ours.hpp"
 
-namespace plumb::references {
+namespace plumb::renderers {
 namespace {
 
 std::optional<Resolution> resolution_of(const Baseline& record) {
@@ -18,4 +18,4 @@ BaselineRenderer::BaselineRenderer(const Baselines& baselines, const Baseline& r
 
 Rendered BaselineRenderer::render(const Shot&) const { return {baselines_.load(record_)}; }
 
-}  // namespace plumb::references
+}  // namespace plumb::renderers

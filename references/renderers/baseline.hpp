@@ -4,7 +4,7 @@
 #include "references/renderers/baselines.hpp"
 #include "references/renderers/renderer.hpp"
 
-namespace plumb::references {
+namespace plumb::renderers {
 
 /// Its resolution is that of plumb, whichever machine made the picture. It is not known when somebody else's
 /// renderer made it.
@@ -24,4 +24,4 @@ class BaselineRenderer : public Renderer {
   const Baseline& record_;
 };
 
-}  // namespace plumb::references
+}  // namespace plumb::renderers

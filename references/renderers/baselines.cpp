@@ -13,7 +13,7 @@
 #include "tracer/image/io.hpp"
 #include "tracer/system/files.hpp"
 
-namespace plumb::references {
+namespace plumb::renderers {
 namespace {
 
 namespace fs = std::filesystem;
@@ -60,8 +60,8 @@ Baseline baseline_from_json(const OrderedJson& json) {
              json.value("renderer", "")};
   // No record leads out of the directory.
   if (!is_within(b.name) || scene != b.name + ".sdf" || json.at("image") != b.name + ".exr") {
-    throw std::runtime_error("found scene " + json_text(json.at("scene")) + " and image " +
-                             json_text(json.at("image")) + ", expected NAME.sdf and NAME.exr");
+    throw std::runtime_error("found scene " + system::json_text(json.at("scene")) + " and image " +
+                             system::json_text(json.at("image")) + ", expected NAME.sdf and NAME.exr");
   }
   return b;
 }
@@ -81,7 +81,7 @@ std::string text_of(const std::vector<Baseline>& entries, const std::string& dir
   OrderedJson all = OrderedJson::array();
   for (const Baseline& b : entries) all.push_back(json_of(b));
   try {
-    return json_text(all, 2) + "\n";
+    return system::json_text(all, 2) + "\n";
   } catch (const OrderedJson::type_error&) {
     throw std::runtime_error(directory + records_name +
                              ": not written: found a name or reason that is not UTF-8, which JSON needs");
@@ -94,7 +94,7 @@ Baselines::Baselines(std::string directory) : directory_(std::move(directory)) {
   const std::string path = directory_ + records_name;
   if (!fs::exists(path)) return;
   try {
-    const OrderedJson all = parse_ordered_json(read_file(path));
+    const OrderedJson all = system::parse_ordered_json(read_file(path));
     if (!all.is_array()) throw std::runtime_error("expected a list of records");
     for (const OrderedJson& entry : all) {
       Baseline baseline = baseline_from_json(entry);
@@ -140,7 +140,7 @@ Image Baselines::load(const Baseline& entry) const {
     throw std::runtime_error(std::string(error.what()) + remedy + directory_);
   }
   if (file.width != entry.width || file.height != entry.height || file.channels != 3 ||
-      sha256(file.values) != entry.pixels_sha256) {
+      system::sha256(file.values) != entry.pixels_sha256) {
     throw std::runtime_error(path + ": is not the image that baselines.json tells of" + remedy + directory_);
   }
   Image image(file.width, file.height);
@@ -154,7 +154,7 @@ BaselineUpdate::BaselineUpdate(std::string directory, const std::string& aside)
 void BaselineUpdate::add(Baseline record, const Image& image) {
   record.width = image.width;
   record.height = image.height;
-  record.pixels_sha256 = sha256(image.rgb);
+  record.pixels_sha256 = system::sha256(image.rgb);
   const fs::path file = fs::path(aside_.path()) / (record.name + ".exr");
   fs::create_directories(file.parent_path());
   write_image(file.string(), image, Encoding::linear);
@@ -172,7 +172,7 @@ void BaselineUpdate::remove_image(const std::string& name) const {
 void BaselineUpdate::commit() {
   if (added_.empty() && gone_.empty()) return;
   fs::create_directories(directory_);
-  const DirectoryLock lock(directory_);
+  const system::DirectoryLock lock(directory_);
   std::vector<Baseline> entries = Baselines(directory_).all();
   for (const Baseline& record : added_) put(entries, record);
   std::erase_if(entries, [&](const Baseline& b) {
@@ -180,7 +180,7 @@ void BaselineUpdate::commit() {
   });
   write_file(aside_.path() + records_name, text_of(entries, directory_));
   // All that can fail for lack of space has happened. The rest is renames, and no signal comes between them.
-  const HeldSignals held;
+  const system::HeldSignals held;
   for (const Baseline& record : added_) {
     const std::string file = "/" + record.name + ".exr";
     fs::create_directories(fs::path(directory_ + file).parent_path());
@@ -190,4 +190,4 @@ void BaselineUpdate::commit() {
   for (const std::string& name : gone_) remove_image(name);
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::renderers

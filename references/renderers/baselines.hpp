@@ -7,7 +7,7 @@
 #include "references/system/process.hpp"
 #include "tracer/image/image.hpp"
 
-namespace plumb::references {
+namespace plumb::renderers {
 
 struct Baseline {
   std::string name;  ///< that of NAME.sdf and NAME.exr, with its directories, e.g. "a/b"
@@ -66,9 +66,9 @@ class BaselineUpdate {
   void remove_image(const std::string& name) const;
 
   std::string directory_;
-  TemporaryDirectory aside_;
+  system::TemporaryDirectory aside_;
   std::vector<Baseline> added_;
   std::vector<std::string> gone_;
 };
 
-}  // namespace plumb::references
+}  // namespace plumb::renderers

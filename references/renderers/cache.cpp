@@ -18,7 +18,7 @@
 #include "references/system/json.hpp"
 #include "tracer/system/files.hpp"
 
-namespace plumb::references {
+namespace plumb::renderers {
 namespace {
 
 namespace fs = std::filesystem;
@@ -48,7 +48,7 @@ std::string key_of(const ExportedShot& shot, const std::string& version) {
   std::string all = shot.renderer + " " + version;
   for (const std::string& argument : shot.arguments) all += " " + argument;
   if (shot.holds != Holds::float32) all += std::string(" read from its ") + to_string(shot.holds);
-  return sha256(all + "\n" + shot.text);
+  return system::sha256(all + "\n" + shot.text);
 }
 
 /// Notices damage; XXH3 because SHA-256 of the pixels costs as much as rendering them.
@@ -67,7 +67,7 @@ std::string pack(const Rendered& picture) {
                              {"cpu_seconds", picture.cpu_seconds},
                              {"precision", to_string(picture.holds)},
                              {"warnings", picture.warnings}};
-  std::string rest = json_text_of_any_bytes(about) + "\n";
+  std::string rest = system::json_text_of_any_bytes(about) + "\n";
   const std::size_t at = rest.size();
   rest.resize(at + picture.image.rgb.size() * sizeof(float));
   std::memcpy(rest.data() + at, picture.image.rgb.data(), picture.image.rgb.size() * sizeof(float));
@@ -82,7 +82,7 @@ std::optional<Rendered> unpack(std::string_view bytes) {
   const std::string_view rest = bytes.substr(magic.size() + hash_length + 1);
   if (checksum(rest) != hash || bytes[magic.size() + hash_length] != '\n') return std::nullopt;
   const std::size_t line = rest.find('\n');
-  const nlohmann::json about = parse_json(rest.substr(0, line));
+  const nlohmann::json about = system::parse_json(rest.substr(0, line));
   Rendered picture;
   picture.image = Image(about.at("width"), about.at("height"));
   picture.cpu_seconds = about.at("cpu_seconds");
@@ -108,7 +108,7 @@ Cache::Cache() : directory_(default_directory()) {}
 
 std::string Cache::version_of(const ProgramRenderer& renderer) const {
   const std::string print = fingerprint(renderer.program());
-  const std::string path = directory_ + "/version-" + sha256(print);
+  const std::string path = directory_ + "/version-" + system::sha256(print);
   if (const auto known = read_if_there(path)) {
     const std::string version = known->substr(0, known->find('\n'));
     if (*known == version + "\n" + checksum(print + version)) return version;
@@ -187,4 +187,4 @@ void Cache::prune() const {
   }
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::renderers

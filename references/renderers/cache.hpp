@@ -7,7 +7,7 @@
 
 #include "references/renderers/renderer.hpp"
 
-namespace plumb::references {
+namespace plumb::renderers {
 
 class Cache {
  public:
@@ -48,4 +48,4 @@ class Cache {
 /// The most bytes that a cache keeps. The entries that were used least recently go first.
 inline constexpr unsigned long long largest_cache = 4ULL << 30;
 
-}  // namespace plumb::references
+}  // namespace plumb::renderers

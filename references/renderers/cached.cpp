@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace plumb::references {
+namespace plumb::renderers {
 
 CachedRenderer::CachedRenderer(std::unique_ptr<const ProgramRenderer> renderer)
     : Renderer(renderer->facts()), renderer_(std::move(renderer)), version_(cache_.version_of(*renderer_)) {}
@@ -20,4 +20,4 @@ Rendered CachedRenderer::render(const Shot& shot) const {
   return picture;
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::renderers

@@ -7,7 +7,7 @@
 #include "references/renderers/cache.hpp"
 #include "references/renderers/renderer.hpp"
 
-namespace plumb::references {
+namespace plumb::renderers {
 
 class CachedRenderer : public Renderer {
  public:
@@ -24,4 +24,4 @@ class CachedRenderer : public Renderer {
   std::string version_;
 };
 
-}  // namespace plumb::references
+}  // namespace plumb::renderers

@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-namespace plumb::references {
+namespace plumb::renderers {
 
 const char* to_string(Holds holds) {
   switch (holds) {
@@ -22,4 +22,4 @@ Holds holds_named(const std::string& name) {
   throw std::invalid_argument("found '" + name + "', expected float32, png16 or png8");
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::renderers

@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace plumb::references {
+namespace plumb::renderers {
 
 enum class Holds {
   float32,
@@ -17,4 +17,4 @@ const char* to_string(Holds holds);
 /// Returns the inverse. Throws std::invalid_argument for any other text.
 Holds holds_named(const std::string& name);
 
-}  // namespace plumb::references
+}  // namespace plumb::renderers

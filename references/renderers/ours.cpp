@@ -7,7 +7,7 @@
 #include "tracer/system/stopwatch.hpp"
 #include "tracer/textbook/render.hpp"
 
-namespace plumb::references {
+namespace plumb::renderers {
 namespace {
 
 /// That of the space in which a scene spans about 1e4 units.
@@ -73,4 +73,4 @@ Rendered OurRenderer::render(const Shot& shot) const {
                                        : textbook::render(shot.scene, shot.camera, job)};
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::renderers

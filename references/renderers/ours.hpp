@@ -9,7 +9,7 @@
 #include "tracer/scene/render_job.hpp"
 #include "tracer/scene/scene.hpp"
 
-namespace plumb::references {
+namespace plumb::renderers {
 
 /// The readable one, or the fast one; both give the same picture.
 enum class OwnTracer { textbook, engine };
@@ -44,4 +44,4 @@ class OurRenderer : public Renderer {
   engine::Settings settings_;
 };
 
-}  // namespace plumb::references
+}  // namespace plumb::renderers

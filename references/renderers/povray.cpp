@@ -20,7 +20,7 @@
 #include "tracer/system/files.hpp"
 #include "tracer/text/numbers.hpp"
 
-namespace plumb::references {
+namespace plumb::renderers {
 namespace {
 
 std::vector<std::string> lines_of(const std::string& text) {
@@ -63,7 +63,7 @@ std::string lines_with(const std::string& output, std::initializer_list<const ch
   return found;
 }
 
-std::string why_it_failed(const ProcessResult& result, const PovrayJob& job) {
+std::string why_it_failed(const system::ProcessResult& result, const PovrayJob& job) {
   if (result.timed_out) return "POV-Ray took longer than " + to_text(job.time_limit_seconds) + " s";
   const std::string said = lines_with(result.output, {"rror"}, job.text);
   if (result.signal != 0)
@@ -98,7 +98,7 @@ std::string bytes_left(const std::string& path, const PovrayJob& job) {
 }
 
 Image read_png(const std::string& path, const PovrayJob& job) {
-  const TemporaryDirectory own;  // out of the program's reach
+  const system::TemporaryDirectory own;  // out of the program's reach
   const std::string copy = own.path() + "/out.png";
   write_file(copy, bytes_left(path, job));
   const ImageFile file = read_image(copy);
@@ -166,16 +166,16 @@ ExportedShot exported_by(const PovrayJob& job) {
   return {"povray", povray_arguments(job), job.text, job.width, job.height, job.holds};
 }
 
-Povray::Povray() : program_(find_program("povray")) {
+Povray::Povray() : program_(system::find_program("povray")) {
   if (program_.empty())
     throw PovrayError("povray is not on PATH; install it (apt-get install povray) or use --stored");
 }
 
 std::string Povray::version() const {
-  const TemporaryDirectory directory;
-  ProcessLimits limits;
+  const system::TemporaryDirectory directory;
+  system::ProcessLimits limits;
   limits.seconds = 60;
-  const ProcessResult result = run_process({program_, "--version"}, directory.path(), limits);
+  const system::ProcessResult result = system::run_process({program_, "--version"}, directory.path(), limits);
   constexpr std::string_view before = "POV-Ray ";
   const std::size_t at = result.output.find(before);
   if (at == std::string::npos) throw PovrayError(program_ + " does not tell its version; is it POV-Ray?");
@@ -184,18 +184,18 @@ std::string Povray::version() const {
 }
 
 Rendered Povray::render(const PovrayJob& job) const {
-  const TemporaryDirectory directory;
+  const system::TemporaryDirectory directory;
   const std::string state = directory.path() + "/t.state";
   write_file(directory.path() + "/in.pov", job.text);
   // POV-Ray unlinks its state file at the end; as a symbolic link only the link goes.
   if (symlink("t.state", (directory.path() + "/out.pov-state").c_str()) != 0) {
     throw PovrayError(directory.path() + ": no symbolic link can be made there");
   }
-  ProcessLimits limits;
+  system::ProcessLimits limits;
   limits.seconds = job.time_limit_seconds;
   std::vector<std::string> command = povray_arguments(job);
   command.insert(command.begin(), program_);
-  const ProcessResult result = run_process(command, directory.path(), limits);
+  const system::ProcessResult result = system::run_process(command, directory.path(), limits);
   const std::string failure = why_it_failed(result, job);
   if (!failure.empty()) throw PovrayError(failure);
 
@@ -242,4 +242,4 @@ std::unique_ptr<const ProgramRenderer> povray_renderer(double time_limit_seconds
   return std::make_unique<PovrayRenderer>(std::move(settings));
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::renderers

@@ -9,7 +9,7 @@
 #include "references/renderers/renderer.hpp"
 #include "tracer/image/image.hpp"
 
-namespace plumb::references {
+namespace plumb::renderers {
 
 /// POV-Ray is missing, failed, or was too slow. The message holds its own, with the line of SDL.
 class PovrayError : public std::runtime_error {
@@ -80,4 +80,4 @@ class PovrayRenderer : public ProgramRenderer {
 
 std::unique_ptr<const ProgramRenderer> povray_renderer(double time_limit_seconds);
 
-}  // namespace plumb::references
+}  // namespace plumb::renderers

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace plumb::references {
+namespace plumb::renderers {
 namespace {
 
 constexpr std::size_t header_size = 512;
@@ -126,4 +126,4 @@ Image read_povray_state(std::string_view bytes, int width, int height) {
   return image;
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::renderers

@@ -5,7 +5,7 @@
 
 #include "tracer/image/image.hpp"
 
-namespace plumb::references {
+namespace plumb::renderers {
 
 /// Returns linear, unclamped colours from the bytes of a .pov-state file. It is an implementation detail of
 /// 3.7, so magic, version, sizes and the coverage of every pixel are checked. Throws std::runtime_error when
@@ -16,4 +16,4 @@ namespace plumb::references {
 /// block, ends included.
 Image read_povray_state(std::string_view bytes, int width, int height);
 
-}  // namespace plumb::references
+}  // namespace plumb::renderers

@@ -8,7 +8,7 @@
 #include "references/renderers/povray.hpp"
 #include "references/renderers/stored.hpp"
 
-namespace plumb::references {
+namespace plumb::renderers {
 namespace {
 
 struct Entry {
@@ -51,4 +51,4 @@ Reference reference_renderer(const ReferenceOptions& options) {
   return {std::make_unique<CachedRenderer>(std::move(renderer)), ""};
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::renderers

@@ -6,7 +6,7 @@
 
 #include "references/renderers/renderer.hpp"
 
-namespace plumb::references {
+namespace plumb::renderers {
 
 struct ReferenceOptions {
   std::string name{};               ///< of the renderer; empty: the first of the list
@@ -28,4 +28,4 @@ struct Reference {
 /// Throws std::invalid_argument as above, and std::runtime_error when the program does not tell its version.
 Reference reference_renderer(const ReferenceOptions& options);
 
-}  // namespace plumb::references
+}  // namespace plumb::renderers

@@ -8,7 +8,7 @@
 #include "tracer/image/image_writer.hpp"
 #include "tracer/system/stopwatch.hpp"
 
-namespace plumb::references {
+namespace plumb::renderers {
 namespace {
 
 /// Writes each band when the next is there: the last, or the only one, remains for finish(), when the
@@ -68,4 +68,4 @@ RenderedFile render_to_file(OwnTracer tracer, const Scene& scene, const Camera& 
   return {destination.is_of_one_colour(), writing.elapsed()};
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::renderers

@@ -7,7 +7,7 @@
 #include "references/renderers/ours.hpp"
 #include "tracer/image/encode.hpp"
 
-namespace plumb::references {
+namespace plumb::renderers {
 
 /// When and how a picture is streamed: written band by band, while it is rendered.
 struct Streaming {
@@ -31,4 +31,4 @@ RenderedFile render_to_file(OwnTracer tracer, const Scene& scene, const Camera& 
                             const std::string& path, Encoding encoding, engine::Statistics* statistics,
                             const Streaming& streaming = usual_streaming);
 
-}  // namespace plumb::references
+}  // namespace plumb::renderers

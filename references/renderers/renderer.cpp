@@ -1,6 +1,6 @@
 #include "references/renderers/renderer.hpp"
 
-namespace plumb::references {
+namespace plumb::renderers {
 
 std::string ExportedShot::command() const {
   std::string command = renderer;
@@ -8,4 +8,4 @@ std::string ExportedShot::command() const {
   return command;
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::renderers

@@ -11,7 +11,7 @@
 #include "tracer/image/image.hpp"
 #include "tracer/scene/shot.hpp"
 
-namespace plumb::references {
+namespace plumb::renderers {
 
 /// A picture, and how it was made.
 struct Rendered {
@@ -80,4 +80,4 @@ class ProgramRenderer : public Renderer {
   virtual ExportedShot exported(const Shot& shot) const = 0;
 };
 
-}  // namespace plumb::references
+}  // namespace plumb::renderers

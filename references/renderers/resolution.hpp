@@ -3,7 +3,7 @@
 
 #include "tracer/scene/scene.hpp"
 
-namespace plumb::references {
+namespace plumb::renderers {
 
 /// Lengths are shares of the extent.
 struct Resolution {
@@ -20,4 +20,4 @@ struct Resolution {
   bool is_of_plumb;
 };
 
-}  // namespace plumb::references
+}  // namespace plumb::renderers

@@ -15,7 +15,7 @@
 #include "tracer/system/files.hpp"
 #include "tracer/system/installation.hpp"
 
-namespace plumb::references {
+namespace plumb::renderers {
 namespace {
 
 using OrderedJson = nlohmann::ordered_json;
@@ -51,7 +51,7 @@ StoredReferences::StoredReferences(std::string directory) : directory_(std::move
   std::ifstream file(directory_ + provenance_name);
   if (!file) return;
   try {
-    for (const OrderedJson& entry : parse_ordered_json(read_file(directory_ + provenance_name)))
+    for (const OrderedJson& entry : system::parse_ordered_json(read_file(directory_ + provenance_name)))
       entries_.push_back(stored_reference_from_json(entry));
   } catch (const OrderedJson::exception& error) {
     throw std::runtime_error(directory_ + provenance_name + ": is damaged: " + error.what());
@@ -60,7 +60,7 @@ StoredReferences::StoredReferences(std::string directory) : directory_(std::move
 
 std::optional<StoredReference> StoredReferences::find(const std::string& export_text, int width,
                                                       int height) const {
-  const std::string hash = sha256(export_text);
+  const std::string hash = system::sha256(export_text);
   const auto it = std::find_if(entries_.begin(), entries_.end(), [&](const StoredReference& e) {
     return e.export_sha256 == hash && e.width == width && e.height == height;
   });
@@ -71,7 +71,7 @@ Image StoredReferences::load(const StoredReference& entry) const {
   const std::string path = directory_ + "/" + entry.image;
   ImageFile file = read_image(path);
   if (file.width != entry.width || file.height != entry.height || file.channels != 3 ||
-      sha256(file.values) != entry.pixels_sha256) {
+      system::sha256(file.values) != entry.pixels_sha256) {
     throw std::runtime_error(path + ": is not the image that provenance.json tells of");
   }
   Image image(file.width, file.height);
@@ -80,11 +80,11 @@ Image StoredReferences::load(const StoredReference& entry) const {
 }
 
 void StoredReferences::store(StoredReference entry, const Image& image) {
-  entry.pixels_sha256 = sha256(image.rgb);
+  entry.pixels_sha256 = system::sha256(image.rgb);
   std::filesystem::create_directories(directory_);
-  const DirectoryLock lock(directory_);
+  const system::DirectoryLock lock(directory_);
   entries_ = StoredReferences(directory_).entries_;  // others may have stored since
-  const HeldSignals held;                            // no signal comes between the picture and its record
+  const system::HeldSignals held;                    // no signal comes between the picture and its record
   write_image(directory_ + "/" + entry.image, image, Encoding::linear);
   const auto same = std::find_if(entries_.begin(), entries_.end(),
                                  [&](const StoredReference& e) { return e.scene == entry.scene; });
@@ -96,7 +96,7 @@ void StoredReferences::store(StoredReference entry, const Image& image) {
   std::sort(entries_.begin(), entries_.end(), [](const auto& a, const auto& b) { return a.scene < b.scene; });
   OrderedJson all = OrderedJson::array();
   for (const StoredReference& e : entries_) all.push_back(json_of(e));
-  write_file(directory_ + provenance_name, json_text(all, 2) + "\n");
+  write_file(directory_ + provenance_name, system::json_text(all, 2) + "\n");
 }
 
 StoredRenderer::StoredRenderer(std::unique_ptr<const ProgramRenderer> renderer)
@@ -122,4 +122,4 @@ Rendered StoredRenderer::render(const Shot& shot) const {
   return picture;
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::renderers

@@ -9,7 +9,7 @@
 #include "references/renderers/renderer.hpp"
 #include "tracer/image/image.hpp"
 
-namespace plumb::references {
+namespace plumb::renderers {
 
 struct StoredReference {
   std::string scene;  ///< path of the scene, from the top of the repository
@@ -61,4 +61,4 @@ class StoredRenderer : public Renderer {
   StoredReferences stored_;
 };
 
-}  // namespace plumb::references
+}  // namespace plumb::renderers

@@ -15,7 +15,7 @@
 #include "tracer/system/files.hpp"
 #include "tracer/text/words.hpp"
 
-namespace plumb::references {
+namespace plumb::renderers {
 namespace {
 
 namespace fs = std::filesystem;
@@ -32,7 +32,7 @@ std::string identity_of(const std::string& path) {
 }
 
 std::string memory_of(const std::string& path) {
-  return Cache().directory() + "/written-" + sha256(fs::absolute(path).lexically_normal().string());
+  return Cache().directory() + "/written-" + system::sha256(fs::absolute(path).lexically_normal().string());
 }
 
 void remember(const std::string& path) {
@@ -100,4 +100,4 @@ void UnaskedFile::put_in_place() const {
   remember(path_);
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::renderers

@@ -5,7 +5,7 @@
 
 #include "references/system/process.hpp"
 
-namespace plumb::references {
+namespace plumb::renderers {
 
 /// Replaces what plumb put there itself, as long as nobody has changed it since; the cache's directory keeps
 /// what tells that. All functions throw std::runtime_error, saying what to do.
@@ -21,7 +21,7 @@ class UnaskedFile {
 
  private:
   std::string path_;
-  TemporaryDirectory directory_;
+  system::TemporaryDirectory directory_;
 };
 
-}  // namespace plumb::references
+}  // namespace plumb::renderers

@@ -10,7 +10,7 @@
 #include "references/studies/stability/pictures.hpp"
 #include "tracer/system/in_parallel.hpp"
 
-namespace plumb::references::stability {
+namespace plumb::report {
 namespace {
 
 /// How large an error is, as the style sheet names it, from exact to lost.
@@ -23,7 +23,7 @@ const char* size_of(double error) {
 }
 
 /// Of single rays: the error by the condition, both logarithmic, and a line where it breaks first.
-std::string drawn_curve(const Row& row) {
+std::string drawn_curve(const studies::stability::Row& row) {
   constexpr double width = 136, height = 64, decades = 20;
   const double last = std::log(std::max(row.curve.back().first, 2.0));
   const auto across = [&](double value) { return width * std::log(std::max(value, 1.0)) / last; };
@@ -37,7 +37,8 @@ std::string drawn_curve(const Row& row) {
   }
   std::snprintf(text.data(), text.size(),
                 "<line x1=\"%.1f\" x2=\"%.1f\" y1=\"0\" y2=\"%.0f\" stroke=\"#D55E00\"/></svg>at %.2g",
-                across(first_break(row)), across(first_break(row)), height, first_break(row));
+                across(studies::stability::first_break(row)), across(studies::stability::first_break(row)),
+                height, studies::stability::first_break(row));
   return "<svg width=\"136\" height=\"64\" role=\"img\" aria-label=\"difference by the condition\">"
          "<rect class=\"ground\" width=\"136\" height=\"64\"/><polyline fill=\"none\" stroke=\"#0072B2\" "
          "points=\"" +
@@ -45,11 +46,12 @@ std::string drawn_curve(const Row& row) {
 }
 
 /// The failure as it is seen.
-std::string picture_cell(const Row& row, const std::optional<FailurePicture>& picture) {
+std::string picture_cell(const studies::stability::Row& row,
+                         const std::optional<studies::stability::FailurePicture>& picture) {
   if (!row.breaks.any()) return "<td></td>";
   if (!picture) return html::element("td", "seen", drawn_curve(row));
   std::array<char, 64> at{};
-  std::snprintf(at.data(), at.size(), "at %.2g", 1.5 * first_break(row));
+  std::snprintf(at.data(), at.size(), "at %.2g", 1.5 * studies::stability::first_break(row));
   const std::string place(at.data());
   if (!picture->refused.empty())
     return html::element("td", "", html_escaped(place + ": " + picture->refused));
@@ -60,23 +62,24 @@ std::string picture_cell(const Row& row, const std::optional<FailurePicture>& pi
 }
 
 /// Of each row of each condition; most of the time POV-Ray waits.
-std::vector<std::vector<std::optional<FailurePicture>>> pictures_of(
-    const std::vector<Condition>& conditions) {
-  std::vector<std::vector<std::optional<FailurePicture>>> pictures;
+std::vector<std::vector<std::optional<studies::stability::FailurePicture>>> pictures_of(
+    const std::vector<studies::stability::Condition>& conditions) {
+  std::vector<std::vector<std::optional<studies::stability::FailurePicture>>> pictures;
   std::vector<std::pair<std::size_t, std::size_t>> places;
-  for (const Condition& condition : conditions) {
+  for (const studies::stability::Condition& condition : conditions) {
     for (std::size_t row = 0; row < condition.rows.size(); ++row) places.emplace_back(pictures.size(), row);
     pictures.emplace_back(condition.rows.size());
   }
   in_parallel(places.size(), 4 * processors(), [&](std::size_t i) {
     const auto [condition, row] = places[i];
-    pictures[condition][row] = failure_picture(conditions[condition], conditions[condition].rows[row]);
+    pictures[condition][row] =
+        studies::stability::failure_picture(conditions[condition], conditions[condition].rows[row]);
   });
   return pictures;
 }
 
 /// A box a value of the condition, coloured by the error there.
-std::string map_of(const Row& row) {
+std::string map_of(const studies::stability::Row& row) {
   std::string boxes;
   for (const auto& [value, error] : row.curve) {
     std::array<char, 160> box{};
@@ -87,7 +90,8 @@ std::string map_of(const Row& row) {
   return html::element("td", "map", boxes);
 }
 
-std::string map_row(const Row& row, const std::optional<FailurePicture>& picture) {
+std::string map_row(const studies::stability::Row& row,
+                    const std::optional<studies::stability::FailurePicture>& picture) {
   std::string cells = "<th scope=\"row\" title=\"" + html_escaped(row.source) + "\">" +
                       html_escaped(row.method) + " " + html::element("span", "muted", row.real) + "</th>";
   if (!row.unavailable.empty())
@@ -95,7 +99,7 @@ std::string map_row(const Row& row, const std::optional<FailurePicture>& picture
         "tr", "",
         cells + "<td colspan=\"9\"><b>not measured:</b> " + html_escaped(row.unavailable) + "</td>\n");
   cells += map_of(row);
-  const Breaks& b = row.breaks;
+  const studies::stability::Breaks& b = row.breaks;
   for (const auto& value : {b.missed, b.ulp16, b.e6, b.percent, b.self_shadow})
     cells += html::element("td", "number", value_text(value));
   cells += picture_cell(row, picture);
@@ -116,7 +120,8 @@ std::string key_of_colours() {
   return html::element("p", "error-key", text) + "\n";
 }
 
-std::string table_of(const Condition& condition, const std::vector<std::optional<FailurePicture>>& pictures) {
+std::string table_of(const studies::stability::Condition& condition,
+                     const std::vector<std::optional<studies::stability::FailurePicture>>& pictures) {
   std::array<char, 64> range{};
   std::snprintf(range.data(), range.size(), " 1 to %.0e, logarithmic", condition.last);
   std::string rows;
@@ -131,10 +136,10 @@ std::string table_of(const Condition& condition, const std::vector<std::optional
 }
 
 /// How much of it breaks, in one sentence.
-std::string conclusion_of_conditions(const std::vector<Condition>& conditions) {
+std::string conclusion_of_conditions(const std::vector<studies::stability::Condition>& conditions) {
   std::size_t all = 0, broken = 0, unavailable = 0;
-  for (const Condition& condition : conditions) {
-    for (const Row& row : condition.rows) {
+  for (const studies::stability::Condition& condition : conditions) {
+    for (const studies::stability::Row& row : condition.rows) {
       ++all;
       if (!row.unavailable.empty()) ++unavailable;
       if (row.breaks.any()) ++broken;
@@ -147,11 +152,11 @@ std::string conclusion_of_conditions(const std::vector<Condition>& conditions) {
 
 }  // namespace
 
-std::string page_of(const std::vector<Condition>& conditions) {
+std::string page_of(const std::vector<studies::stability::Condition>& conditions) {
   std::string body = key_of_colours();
   const auto pictures = pictures_of(conditions);
   for (std::size_t i = 0; i < conditions.size(); ++i) body += table_of(conditions[i], pictures[i]);
   return html::page({"Where methods fail", conclusion_of_conditions(conditions), body, ""});
 }
 
-}  // namespace plumb::references::stability
+}  // namespace plumb::report

@@ -3,7 +3,7 @@
 #include <array>
 #include <cstdio>
 
-namespace plumb::references::stability {
+namespace plumb::report {
 namespace {
 
 std::string line(const std::array<std::string, 7>& cells) {
@@ -22,17 +22,17 @@ std::string value_text(const std::optional<double>& value) {
   return value ? text.data() : "-";
 }
 
-std::string table_of(const std::vector<Condition>& conditions) {
+std::string table_of(const std::vector<studies::stability::Condition>& conditions) {
   std::string text;
-  for (const Condition& condition : conditions) {
+  for (const studies::stability::Condition& condition : conditions) {
     text += condition.name + ": " + condition.unit + ", first value at which a ray fails\n";
     text += line({"method", "real", "missed", "16 ulp", "1e-6", "1 %", "itself"});
-    for (const Row& row : condition.rows) {
+    for (const studies::stability::Row& row : condition.rows) {
       if (!row.unavailable.empty()) {
         text += row.method + ": not measured: " + row.unavailable + "\n";
         continue;
       }
-      const Breaks& b = row.breaks;
+      const studies::stability::Breaks& b = row.breaks;
       text += line({row.method, row.real, value_text(b.missed), value_text(b.ulp16), value_text(b.e6),
                     value_text(b.percent), value_text(b.self_shadow)});
     }
@@ -41,4 +41,4 @@ std::string table_of(const std::vector<Condition>& conditions) {
   return text;
 }
 
-}  // namespace plumb::references::stability
+}  // namespace plumb::report

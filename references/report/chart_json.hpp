@@ -5,10 +5,10 @@
 
 #include "references/studies/chart/chart.hpp"
 
-namespace plumb::references {
+namespace plumb::report {
 
 /// {plumb, machine, povray, size, runs, truths, cost, instructions_complaint, scenes: [{scene, left_out,
 /// points}]}.
-nlohmann::ordered_json to_json(const Chart& chart);
+nlohmann::ordered_json to_json(const studies::Chart& chart);
 
-}  // namespace plumb::references
+}  // namespace plumb::report

@@ -4,15 +4,15 @@
 
 #include "references/report/diagnosis_json.hpp"
 
-namespace plumb::references {
+namespace plumb::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json picture_json(const JudgedPicture& picture, HintLevel hint) {
+Json picture_json(const submissions::JudgedPicture& picture, HintLevel hint) {
   Json json{{"submission", picture.submission},
             {"scene", picture.scene},
-            {"verdict", to_string(picture.verdict)},
+            {"verdict", submissions::to_string(picture.verdict)},
             {"message", picture.message},
             {"wall_seconds", picture.wall_seconds}};
   if (!picture.printed.empty()) json["printed"] = picture.printed;
@@ -25,11 +25,12 @@ Json picture_json(const JudgedPicture& picture, HintLevel hint) {
 
 }  // namespace
 
-Json overview_json(const std::vector<JudgedPicture>& all, HintLevel hint, const RunFacts& facts) {
+Json overview_json(const std::vector<submissions::JudgedPicture>& all, HintLevel hint,
+                   const RunFacts& facts) {
   std::map<std::string, std::size_t> counts;
   Json pictures = Json::array();
-  for (const JudgedPicture& picture : all) {
-    ++counts[to_string(picture.verdict)];
+  for (const submissions::JudgedPicture& picture : all) {
+    ++counts[submissions::to_string(picture.verdict)];
     pictures.push_back(picture_json(picture, hint));
   }
   Json json{{"tool", "plumb"}, {"version", PLUMB_VERSION}, {"complete", judged_count(all) == all.size()}};
@@ -41,4 +42,4 @@ Json overview_json(const std::vector<JudgedPicture>& all, HintLevel hint, const 
   return json;
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::report

@@ -6,9 +6,9 @@
 
 #include "references/report/class_report.hpp"
 
-namespace plumb::references {
+namespace plumb::report {
 
-nlohmann::ordered_json overview_json(const std::vector<JudgedPicture>& all, HintLevel hint,
+nlohmann::ordered_json overview_json(const std::vector<submissions::JudgedPicture>& all, HintLevel hint,
                                      const RunFacts& facts = {});
 
-}  // namespace plumb::references
+}  // namespace plumb::report

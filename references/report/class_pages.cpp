@@ -13,13 +13,13 @@
 #include "tracer/system/files.hpp"
 #include "tracer/system/installation.hpp"
 
-namespace plumb::references {
+namespace plumb::report {
 namespace {
 
 /// Beside the pages of submissions: what was found in any, each with its formulas and a pair of pictures.
 constexpr const char* lessons_page = "faults.html";
 
-std::string lesson_link(const Fault& fault) {
+std::string lesson_link(const faults::Fault& fault) {
   return html::link(std::string(lessons_page) + "#" + std::string(fault.id), fault.id);
 }
 
@@ -29,8 +29,8 @@ std::string confidence_text(double confidence) {
   return text.data();
 }
 
-std::string fault_text(const FoundFault& found, HintLevel hint) {
-  const Fault& fault = *found.fault;
+std::string fault_text(const diagnosis::FoundFault& found, HintLevel hint) {
+  const faults::Fault& fault = *found.fault;
   std::vector<html::Definition> all{{"slide", html_escaped(fault.slide)}};
   if (hint >= 2) all.emplace_back("mistake", html_escaped(fault.explanation));
   if (hint < 3 && !found.alike.empty())
@@ -39,7 +39,7 @@ std::string fault_text(const FoundFault& found, HintLevel hint) {
     all.emplace_back("right", html::element("code", "right", html_escaped(fault.right)));
     all.emplace_back("yours", html::element("code", "yours", html_escaped(fault.wrong)));
     all.emplace_back("lesson", lesson_link(fault));
-    for (const Fault* other : found.alike)
+    for (const faults::Fault* other : found.alike)
       all.emplace_back("or", lesson_link(*other) + ": the same picture here");
   }
   all.emplace_back("pixels", std::to_string(found.pixels));
@@ -47,12 +47,16 @@ std::string fault_text(const FoundFault& found, HintLevel hint) {
   return html::definitions(all);
 }
 
-std::string class_of(Judged verdict) { return std::string("badge verdict-") + to_string(verdict); }
+std::string class_of(submissions::Judged verdict) {
+  return std::string("badge verdict-") + submissions::to_string(verdict);
+}
 
-std::string tag(Judged verdict) { return html::element("span", class_of(verdict), to_string(verdict)); }
+std::string tag(submissions::Judged verdict) {
+  return html::element("span", class_of(verdict), submissions::to_string(verdict));
+}
 
 /// A page is worth having without its pictures.
-std::string figures_of(const JudgedPicture& picture, const Journal* journal) {
+std::string figures_of(const submissions::JudgedPicture& picture, const submissions::Journal* journal) {
   try {
     const auto pictures = journal == nullptr ? std::nullopt : journal->pictures_of(picture);
     return pictures ? html::figures(*pictures, picture.scene) : "";
@@ -61,16 +65,17 @@ std::string figures_of(const JudgedPicture& picture, const Journal* journal) {
   }
 }
 
-std::string diagnosis_text(const JudgedPicture& picture, HintLevel hint) {
-  const Diagnosis& found = *picture.diagnosis;
+std::string diagnosis_text(const submissions::JudgedPicture& picture, HintLevel hint) {
+  const diagnosis::Diagnosis& found = *picture.diagnosis;
   std::string text = html::paragraph(found.encoding.in_words() + "; " + std::to_string(found.pixels_over) +
                                      " of " + std::to_string(found.pixels) + " pixels remain unexplained");
-  if (picture.verdict != Judged::faults) return text;
-  for (const FoundFault& fault : found.faults) text += fault_text(fault, hint);
+  if (picture.verdict != submissions::Judged::faults) return text;
+  for (const diagnosis::FoundFault& fault : found.faults) text += fault_text(fault, hint);
   return text;
 }
 
-std::string section(const JudgedPicture& picture, HintLevel hint, const Journal* journal) {
+std::string section(const submissions::JudgedPicture& picture, HintLevel hint,
+                    const submissions::Journal* journal) {
   std::string text = "<section id=\"" + html_escaped(picture.scene) + "\">" +
                      html::element("h2", "", html_escaped(picture.scene) + " " + tag(picture.verdict)) + "\n";
   if (!picture.message.empty()) text += html::paragraph(picture.message);
@@ -80,10 +85,10 @@ std::string section(const JudgedPicture& picture, HintLevel hint, const Journal*
   return text + "</section>\n";
 }
 
-std::string cell(const JudgedPicture& picture, const std::string& file, HintLevel hint) {
+std::string cell(const submissions::JudgedPicture& picture, const std::string& file, HintLevel hint) {
   std::string names;
-  if (picture.diagnosis && picture.verdict == Judged::faults) {
-    for (const FoundFault& found : picture.diagnosis->faults) {
+  if (picture.diagnosis && picture.verdict == submissions::Judged::faults) {
+    for (const diagnosis::FoundFault& found : picture.diagnosis->faults) {
       const std::string name = hint >= 3 ? std::string(found.fault->id) : named(*found.fault, hint);
       const std::string alike =
           found.alike.empty() ? "" : " or " + std::to_string(found.alike.size()) + " alike";
@@ -92,12 +97,13 @@ std::string cell(const JudgedPicture& picture, const std::string& file, HintLeve
   }
   return html::element("td", "",
                        "<a class=\"" + class_of(picture.verdict) + "\" href=\"" + file + "#" +
-                           html_escaped(picture.scene) + "\">" + to_string(picture.verdict) + "</a>" + names);
+                           html_escaped(picture.scene) + "\">" + submissions::to_string(picture.verdict) +
+                           "</a>" + names);
 }
 
-std::string summary(const std::vector<JudgedPicture>& all) {
-  std::map<Judged, std::size_t> counts;
-  for (const JudgedPicture& picture : all) ++counts[picture.verdict];
+std::string summary(const std::vector<submissions::JudgedPicture>& all) {
+  std::map<submissions::Judged, std::size_t> counts;
+  for (const submissions::JudgedPicture& picture : all) ++counts[picture.verdict];
   std::string tags;
   for (const auto& [verdict, count] : counts)
     tags += html::element("span", "group", tag(verdict) + " " + std::to_string(count));
@@ -130,17 +136,17 @@ std::string not_judged_text(const RunFacts& facts) {
 }
 
 /// All faults of which a page names one, in the catalogue's order.
-std::vector<const Fault*> faults_found(const std::vector<JudgedPicture>& all) {
-  std::set<const Fault*> named;
-  for (const JudgedPicture& picture : all) {
-    if (!picture.diagnosis || picture.verdict != Judged::faults) continue;
-    for (const FoundFault& one : picture.diagnosis->faults) {
+std::vector<const faults::Fault*> faults_found(const std::vector<submissions::JudgedPicture>& all) {
+  std::set<const faults::Fault*> named;
+  for (const submissions::JudgedPicture& picture : all) {
+    if (!picture.diagnosis || picture.verdict != submissions::Judged::faults) continue;
+    for (const diagnosis::FoundFault& one : picture.diagnosis->faults) {
       named.insert(one.fault);
       named.insert(one.alike.begin(), one.alike.end());
     }
   }
-  std::vector<const Fault*> found;
-  for (const Fault& fault : fault_catalogue()) {
+  std::vector<const faults::Fault*> found;
+  for (const faults::Fault& fault : faults::fault_catalogue()) {
     if (named.contains(&fault)) found.push_back(&fault);
   }
   return found;
@@ -150,15 +156,18 @@ std::vector<const Fault*> faults_found(const std::vector<JudgedPicture>& all) {
 std::string page_name(std::size_t number) { return "submission-" + std::to_string(number + 1) + ".html"; }
 
 /// Of these pictures, in one sentence.
-std::string conclusion_of_pictures(const JudgedPicture* begin, const JudgedPicture* end) {
-  const auto count = [&](std::initializer_list<Judged> verdicts) {
-    return static_cast<std::size_t>(std::count_if(begin, end, [&](const JudgedPicture& p) {
+std::string conclusion_of_pictures(const submissions::JudgedPicture* begin,
+                                   const submissions::JudgedPicture* end) {
+  const auto count = [&](std::initializer_list<submissions::Judged> verdicts) {
+    return static_cast<std::size_t>(std::count_if(begin, end, [&](const submissions::JudgedPicture& p) {
       return std::find(verdicts.begin(), verdicts.end(), p.verdict) != verdicts.end();
     }));
   };
   const auto all = static_cast<std::size_t>(end - begin);
-  const std::size_t right = count({Judged::right}), apart = count({Judged::right_apart}),
-                    faults = count({Judged::faults}), open = count({Judged::not_judged, Judged::trouble});
+  const std::size_t right = count({submissions::Judged::right}),
+                    apart = count({submissions::Judged::right_apart}),
+                    faults = count({submissions::Judged::faults}),
+                    open = count({submissions::Judged::not_judged, submissions::Judged::trouble});
   std::string text = right == all ? (all == 1 ? "The picture is right"
                                               : "All " + std::to_string(all) + " pictures are right")
                                   : std::to_string(right) + " of " + std::to_string(all) +
@@ -178,23 +187,24 @@ std::string conclusion_of_pictures(const JudgedPicture* begin, const JudgedPictu
 
 /// One submission: its row in the table and its page.
 struct Row {
-  const JudgedPicture* begin;
-  const JudgedPicture* end;
+  const submissions::JudgedPicture* begin;
+  const submissions::JudgedPicture* end;
   std::string file;
 
   std::string score() const {
-    const auto right =
-        std::count_if(begin, end, [](const JudgedPicture& p) { return p.verdict == Judged::right; });
+    const auto right = std::count_if(begin, end, [](const submissions::JudgedPicture& p) {
+      return p.verdict == submissions::Judged::right;
+    });
     return std::to_string(right) + " of " + std::to_string(end - begin) + " right";
   }
 };
 
-std::vector<Row> rows_of(const std::vector<JudgedPicture>& all) {
+std::vector<Row> rows_of(const std::vector<submissions::JudgedPicture>& all) {
   std::vector<Row> rows;
-  const JudgedPicture* const end = all.data() + all.size();
-  for (const JudgedPicture* at = all.data(); at != end; at = rows.back().end) {
-    const auto* next =
-        std::find_if(at, end, [&](const JudgedPicture& p) { return p.submission != at->submission; });
+  const submissions::JudgedPicture* const end = all.data() + all.size();
+  for (const submissions::JudgedPicture* at = all.data(); at != end; at = rows.back().end) {
+    const auto* next = std::find_if(
+        at, end, [&](const submissions::JudgedPicture& p) { return p.submission != at->submission; });
     rows.push_back({at, next, page_name(rows.size())});
   }
   return rows;
@@ -203,7 +213,8 @@ std::vector<Row> rows_of(const std::vector<JudgedPicture>& all) {
 std::string table_row(const Row& row, HintLevel hint) {
   std::string text = "<tr><th scope=\"row\">" + html::link(row.file, row.begin->submission) +
                      html::element("small", "", row.score()) + "</th>";
-  for (const JudgedPicture* at = row.begin; at != row.end; ++at) text += cell(*at, row.file, hint);
+  for (const submissions::JudgedPicture* at = row.begin; at != row.end; ++at)
+    text += cell(*at, row.file, hint);
   return text + "</tr>\n";
 }
 
@@ -211,14 +222,15 @@ std::string link_to_all() { return html::link("index.html", "← All submissions
 
 std::string page_of(const Row& row, HintLevel hint, const RunFacts& facts) {
   std::string body = shuffle_text(facts);
-  for (const JudgedPicture* at = row.begin; at != row.end; ++at) body += section(*at, hint, facts.journal);
+  for (const submissions::JudgedPicture* at = row.begin; at != row.end; ++at)
+    body += section(*at, hint, facts.journal);
   return html::page({row.begin->submission, conclusion_of_pictures(row.begin, row.end), body, link_to_all()});
 }
 
 std::string table_of(const std::vector<Row>& rows, HintLevel hint) {
   std::vector<std::string> head{"submission"};
   if (!rows.empty()) {
-    for (const JudgedPicture* at = rows.front().begin; at != rows.front().end; ++at)
+    for (const submissions::JudgedPicture* at = rows.front().begin; at != rows.front().end; ++at)
       head.push_back(html_escaped(at->scene));
   }
   std::string text;
@@ -227,14 +239,16 @@ std::string table_of(const std::vector<Row>& rows, HintLevel hint) {
 }
 
 /// Lessons show formulas, which are told at the last level alone: an earlier run's are taken away.
-void write_lessons(const std::filesystem::path& file, const std::vector<JudgedPicture>& all, HintLevel hint) {
-  const std::vector<const Fault*> found = hint >= 3 ? faults_found(all) : std::vector<const Fault*>();
+void write_lessons(const std::filesystem::path& file, const std::vector<submissions::JudgedPicture>& all,
+                   HintLevel hint) {
+  const std::vector<const faults::Fault*> found =
+      hint >= 3 ? faults_found(all) : std::vector<const faults::Fault*>();
   if (found.empty()) {
     std::filesystem::remove(file);
     return;
   }
   std::string text;
-  for (const Fault* fault : found) text += section_of(*fault, data_directory(Data::scenes));
+  for (const faults::Fault* fault : found) text += section_of(*fault, data_directory(Data::scenes));
   const std::string count = std::to_string(found.size());
   write_file(file, html::page({"What was found",
                                found.size() == 1
@@ -245,8 +259,8 @@ void write_lessons(const std::filesystem::path& file, const std::vector<JudgedPi
 
 }  // namespace
 
-void write_overview(const std::string& directory, const std::vector<JudgedPicture>& all, HintLevel hint,
-                    const RunFacts& facts) {
+void write_overview(const std::string& directory, const std::vector<submissions::JudgedPicture>& all,
+                    HintLevel hint, const RunFacts& facts) {
   const std::filesystem::path folder(directory);
   std::filesystem::create_directories(folder);
   const std::vector<Row> rows = rows_of(all);
@@ -262,4 +276,4 @@ void write_overview(const std::string& directory, const std::vector<JudgedPictur
                          conclusion_of_pictures(all.data(), all.data() + all.size()), body, ""}));
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::report

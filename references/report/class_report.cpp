@@ -6,7 +6,7 @@
 
 #include "references/report/junit.hpp"
 
-namespace plumb::references {
+namespace plumb::report {
 namespace {
 
 /// What a spreadsheet evaluates begins with one of these (OWASP, "CSV Injection").
@@ -18,23 +18,23 @@ std::string csv_cell(std::string text) {
   return cell + "\"";
 }
 
-std::string fault_list(const JudgedPicture& picture, HintLevel hint) {
+std::string fault_list(const submissions::JudgedPicture& picture, HintLevel hint) {
   std::string list;
-  if (!picture.diagnosis || picture.verdict != Judged::faults) return list;
-  for (const FoundFault& found : picture.diagnosis->faults)
+  if (!picture.diagnosis || picture.verdict != submissions::Judged::faults) return list;
+  for (const diagnosis::FoundFault& found : picture.diagnosis->faults)
     list += (list.empty() ? "" : "; ") + found_in_words(found, hint);
   return list;
 }
 
 }  // namespace
 
-std::string named(const Fault& fault, HintLevel hint) {
+std::string named(const faults::Fault& fault, HintLevel hint) {
   if (hint == 1) return "slide " + std::string(fault.slide);
   if (hint == 2) return std::string(fault.explanation);
   return std::string(fault.id) + ": " + std::string(fault.explanation);
 }
 
-std::string found_in_words(const FoundFault& found, HintLevel hint) {
+std::string found_in_words(const diagnosis::FoundFault& found, HintLevel hint) {
   constexpr std::size_t most_named = 3;
   const std::size_t others = found.alike.size();
   std::string text = named(*found.fault, hint);
@@ -53,36 +53,38 @@ std::string found_in_words(const FoundFault& found, HintLevel hint) {
   return text + confidence.data();
 }
 
-std::size_t judged_count(const std::vector<JudgedPicture>& all) {
+std::size_t judged_count(const std::vector<submissions::JudgedPicture>& all) {
   return static_cast<std::size_t>(std::count_if(
-      all.begin(), all.end(), [](const JudgedPicture& p) { return p.verdict != Judged::not_judged; }));
+      all.begin(), all.end(),
+      [](const submissions::JudgedPicture& p) { return p.verdict != submissions::Judged::not_judged; }));
 }
 
-std::string overview_csv(const std::vector<JudgedPicture>& all, HintLevel hint) {
+std::string overview_csv(const std::vector<submissions::JudgedPicture>& all, HintLevel hint) {
   std::string csv = "submission,scene,verdict,faults,message,wall_seconds\r\n";
-  for (const JudgedPicture& picture : all) {
-    csv += csv_cell(picture.submission) + "," + csv_cell(picture.scene) + "," + to_string(picture.verdict) +
-           "," + csv_cell(fault_list(picture, hint)) + "," + csv_cell(picture.message) + "," +
-           std::to_string(picture.wall_seconds) + "\r\n";
+  for (const submissions::JudgedPicture& picture : all) {
+    csv += csv_cell(picture.submission) + "," + csv_cell(picture.scene) + "," +
+           submissions::to_string(picture.verdict) + "," + csv_cell(fault_list(picture, hint)) + "," +
+           csv_cell(picture.message) + "," + std::to_string(picture.wall_seconds) + "\r\n";
   }
   return csv;
 }
 
-std::string overview_junit(const std::vector<JudgedPicture>& all, HintLevel hint) {
+std::string overview_junit(const std::vector<submissions::JudgedPicture>& all, HintLevel hint) {
   std::vector<JunitCase> cases;
-  for (const JudgedPicture& picture : all) {
+  for (const submissions::JudgedPicture& picture : all) {
     JunitCase one;
     one.name = picture.submission + "/" + picture.scene;
     one.seconds = picture.wall_seconds;
-    if (picture.verdict == Judged::right) {
+    if (picture.verdict == submissions::Judged::right) {
       one.output = picture.message;
     } else {
-      const bool says_nothing = picture.verdict == Judged::trouble || picture.verdict == Judged::not_judged;
+      const bool says_nothing = picture.verdict == submissions::Judged::trouble ||
+                                picture.verdict == submissions::Judged::not_judged;
       one.outcome = says_nothing ? JunitCase::Outcome::error : JunitCase::Outcome::failed;
       const std::string faults = fault_list(picture, hint);
       const std::string why =
           picture.message + (picture.message.empty() || faults.empty() ? "" : "; ") + faults;
-      one.message = std::string(to_string(picture.verdict)) + (why.empty() ? "" : ": " + why);
+      one.message = std::string(submissions::to_string(picture.verdict)) + (why.empty() ? "" : ": " + why);
       one.details = picture.printed;
     }
     cases.push_back(one);
@@ -90,4 +92,4 @@ std::string overview_junit(const std::vector<JudgedPicture>& all, HintLevel hint
   return junit_xml("plumb judge", cases);
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::report

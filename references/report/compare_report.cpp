@@ -6,7 +6,7 @@
 #include "references/report/findings_table.hpp"
 #include "references/report/sentences.hpp"
 
-namespace plumb::references {
+namespace plumb::report {
 namespace {
 
 /// r g b; grey thrice for one or two channels, and what follows the colours dropped.
@@ -39,7 +39,7 @@ CompareReport::CompareReport(const std::string& directory, const std::string& ti
                              const std::string& subtitle)
     : writer_(directory, title, subtitle) {}
 
-std::string CompareReport::add(const std::string& name, Findings&& findings, const Json& result) {
+std::string CompareReport::add(const std::string& name, gates::Findings&& findings, const Json& result) {
   ReportEntry entry;
   entry.name = name;
   entry.result = result;
@@ -71,4 +71,4 @@ void CompareReport::add_trouble(const std::string& name, const Json& result) {
   writer_.add(entry);
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::report

@@ -7,7 +7,7 @@
 #include "references/report/report_writer.hpp"
 #include "references/report/results_json.hpp"
 
-namespace plumb::references {
+namespace plumb::report {
 
 class CompareReport {
  public:
@@ -16,7 +16,7 @@ class CompareReport {
 
   /// Gives the rows of the findings back; `result` is what --json says. One channel is shown as grey, alpha
   /// is dropped: returns what the page does not show; empty when it shows all.
-  std::string add(const std::string& name, Findings&& findings, const Json& result);
+  std::string add(const std::string& name, gates::Findings&& findings, const Json& result);
   /// A pair that could not be compared.
   void add_trouble(const std::string& name, const Json& result);
   void finish() { writer_.finish(); }
@@ -25,4 +25,4 @@ class CompareReport {
   ReportWriter writer_;
 };
 
-}  // namespace plumb::references
+}  // namespace plumb::report

@@ -2,7 +2,7 @@
 
 #include "tracer/image/channel_names.hpp"
 
-namespace plumb::references {
+namespace plumb::report {
 namespace {
 
 bool fills_its_display(const PixelRows& rows) {
@@ -53,4 +53,4 @@ std::string contents_text(const NamedRows& reference, const NamedRows& test) {
   return text;
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::report

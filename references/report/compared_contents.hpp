@@ -6,7 +6,7 @@
 
 #include "tracer/image/pixel_rows.hpp"
 
-namespace plumb::references {
+namespace plumb::report {
 
 struct NamedRows {
   const std::string& path;
@@ -25,4 +25,4 @@ std::vector<std::string> left_out(const NamedRows& reference, const NamedRows& t
 /// In lines, for people; empty when both files hold one picture of the usual channels and nothing else.
 std::string contents_text(const NamedRows& reference, const NamedRows& test);
 
-}  // namespace plumb::references
+}  // namespace plumb::report

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
-namespace plumb::references {
+namespace plumb::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -109,4 +109,4 @@ std::string conclusion_of_all(const Json& entries) {
          (right == 0 ? "." : "; " + std::to_string(right) + (right == 1 ? " is right." : " are right."));
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::report

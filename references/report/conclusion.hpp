@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-namespace plumb::references {
+namespace plumb::report {
 
 /// Of one result, as ReportEntry has it.
 std::string conclusion_of(const nlohmann::ordered_json& result);
@@ -12,4 +12,4 @@ std::string conclusion_of(const nlohmann::ordered_json& result);
 /// Of all entries of a report: an array of objects that hold "result" and "conclusion".
 std::string conclusion_of_all(const nlohmann::ordered_json& entries);
 
-}  // namespace plumb::references
+}  // namespace plumb::report

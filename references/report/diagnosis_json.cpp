@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-namespace plumb::references {
+namespace plumb::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json to_json(const FoundFault& found, int hint) {
-  const Fault& fault = *found.fault;
+Json to_json(const diagnosis::FoundFault& found, int hint) {
+  const faults::Fault& fault = *found.fault;
   Json json;
   if (hint >= 3) json = {{"id", fault.id}, {"catalogue", fault.catalogue}};
   if (hint >= 2) json["title"] = fault.explanation;
@@ -25,16 +25,16 @@ Json to_json(const FoundFault& found, int hint) {
 }
 
 /// The background's name is null.
-Json shapes_json(const std::vector<ShapeSeen>& shapes) {
+Json shapes_json(const std::vector<diagnosis::ShapeSeen>& shapes) {
   Json all = Json::array();
-  for (const ShapeSeen& shape : shapes)
+  for (const diagnosis::ShapeSeen& shape : shapes)
     all.push_back({{"name", shape.name.empty() ? Json() : Json(shape.name)}, {"pixels", shape.pixels}});
   return all;
 }
 
-Json habits_json(const std::vector<Habit>& habits) {
+Json habits_json(const std::vector<diagnosis::Habit>& habits) {
   Json all = Json::array();
-  for (const Habit& habit : habits) {
+  for (const diagnosis::Habit& habit : habits) {
     all.push_back(
         {{"id", habit.id}, {"title", habit.title}, {"value", {habit.value.r, habit.value.g, habit.value.b}}});
   }
@@ -42,38 +42,38 @@ Json habits_json(const std::vector<Habit>& habits) {
 }
 
 /// Null where the picture does not tell.
-Json certain_json(Certainty certainty) {
+Json certain_json(diagnosis::Certainty certainty) {
   switch (certainty) {
-    case Certainty::right:
+    case diagnosis::Certainty::right:
       return "right";
-    case Certainty::wrong:
+    case diagnosis::Certainty::wrong:
       return "wrong";
-    case Certainty::unknown:
+    case diagnosis::Certainty::unknown:
       break;
   }
   return {};
 }
 
 /// Levels of red, green and blue; null for floats.
-Json levels_json(const OutputEncoding& encoding) {
+Json levels_json(const diagnosis::OutputEncoding& encoding) {
   return encoding.is_float ? Json() : Json(encoding.levels);
 }
 
 /// Null for floats, which are not rounded.
-Json rounding_json(const OutputEncoding& encoding) {
+Json rounding_json(const diagnosis::OutputEncoding& encoding) {
   return encoding.is_float ? Json() : Json(encoding.rounds ? "round" : "truncate");
 }
 
 }  // namespace
 
-Json to_json(const Diagnosis& diagnosis, int hint) {
+Json to_json(const diagnosis::Diagnosis& diagnosis, int hint) {
   Json faults = Json::array();
   Json ambiguous = Json::array();
-  for (const FoundFault& found : diagnosis.faults) {
+  for (const diagnosis::FoundFault& found : diagnosis.faults) {
     faults.push_back(to_json(found, hint));
-    for (const Fault* other : found.alike) ambiguous.push_back({found.fault->id, other->id});
+    for (const faults::Fault* other : found.alike) ambiguous.push_back({found.fault->id, other->id});
   }
-  Json json{{"verdict", to_string(diagnosis.verdict)}, {"faults", faults}};
+  Json json{{"verdict", diagnosis::to_string(diagnosis.verdict)}, {"faults", faults}};
   if (!diagnosis.faults.empty()) json["explains"] = diagnosis.explains_all() ? "all" : "part";
   json["certain"] = {{"camera", certain_json(diagnosis.certain.camera)},
                      {"shadows", certain_json(diagnosis.certain.shadows)},
@@ -82,7 +82,7 @@ Json to_json(const Diagnosis& diagnosis, int hint) {
   json["unexplained_pixels"] = diagnosis.unexplained_pixels;
   json["edge_pixels"] = diagnosis.edges;
   json["non_finite"] = diagnosis.non_finite;
-  if (diagnosis.verdict == PictureVerdict::right_apart) {
+  if (diagnosis.verdict == diagnosis::PictureVerdict::right_apart) {
     json["pixels"] = diagnosis.unexplained_pixels;
     json["shapes"] = shapes_json(diagnosis.shapes);
   }
@@ -98,4 +98,4 @@ Json to_json(const Diagnosis& diagnosis, int hint) {
   return json;
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::report

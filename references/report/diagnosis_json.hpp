@@ -5,13 +5,13 @@
 
 #include "references/diagnosis/diagnosis.hpp"
 
-namespace plumb::references {
+namespace plumb::report {
 
 /// {verdict, faults: [{slide, confidence, pixels, title, id, catalogue, wrong, right}], explains: all or
 /// part, unexplained_pixels, edge_pixels, non_finite, pixels, shapes: [{name, pixels}], ambiguous: [[id,
 /// id]], encoding: {tone_map, gamma, rounding, levels, flipped}, remaining: {rms, pixels_over_2_255}}.
 /// `explains` is there with faults, `pixels` and `shapes` with right_apart. `hint` says how much is told of a
 /// fault: 1 its slide, 2 its title, too, 3 all. `flipped` is told from 2 on, `ambiguous` at 3.
-nlohmann::ordered_json to_json(const Diagnosis& diagnosis, int hint);
+nlohmann::ordered_json to_json(const diagnosis::Diagnosis& diagnosis, int hint);
 
-}  // namespace plumb::references
+}  // namespace plumb::report

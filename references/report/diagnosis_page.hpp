@@ -8,11 +8,11 @@
 #include "references/diagnosis/diagnosis.hpp"
 #include "tracer/scene/shot.hpp"
 
-namespace plumb::references {
+namespace plumb::report {
 
 /// Faults that give the same picture here, and the scene of ours that tells most of them apart.
 struct TellApart {
-  std::vector<const Fault*> faults;
+  std::vector<const faults::Fault*> faults;
   std::optional<std::string> scene;  ///< none where none tells any of them apart
 };
 
@@ -21,7 +21,7 @@ struct Diagnosed {
   const std::string& image;  ///< name of the file
   const Shot& shot;          ///< of the size of the picture
   const ImageFile& seen;
-  const Diagnosis& diagnosis;
+  const diagnosis::Diagnosis& diagnosis;
   const std::vector<TellApart>& tell_apart;
   const std::string& not_looked_at;  ///< may be empty
 };
@@ -30,4 +30,4 @@ struct Diagnosed {
 /// tells it. Throws std::runtime_error when it cannot be written.
 void write_diagnosis(const std::string& directory, const Diagnosed& diagnosed, int hint);
 
-}  // namespace plumb::references
+}  // namespace plumb::report

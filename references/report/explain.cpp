@@ -8,7 +8,7 @@
 #include "tracer/scene/hierarchy.hpp"
 #include "tracer/text/words.hpp"
 
-namespace plumb::references {
+namespace plumb::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -39,7 +39,7 @@ KindWords words_of(RayKind kind) {
 /// What the lights and the ambient light give at a meeting; the formulas as the slides have them.
 class Terms {
  public:
-  Terms(const Scene& scene, const Meeting& meeting)
+  Terms(const Scene& scene, const attribution::Meeting& meeting)
       : scene_(scene),
         shape_(scene.shapes[meeting.shape]),
         material_(scene.materials[*material_of(shape_)]),
@@ -75,7 +75,7 @@ class Terms {
   const Scene& scene_;
   const Shape& shape_;
   const Material& material_;
-  const Meeting& meeting_;
+  const attribution::Meeting& meeting_;
 };
 
 /// What hides the light; null when nothing was found that does.
@@ -92,7 +92,7 @@ class Writer {
  public:
   explicit Writer(const Scene& scene) : scene_(scene), shapes_(scene) {}
 
-  std::string text(const RayNode& node) {
+  std::string text(const attribution::RayNode& node) {
     ray(node, 0, "");
     return std::move(text_);
   }
@@ -104,7 +104,7 @@ class Writer {
     text_ += '\n';
   }
 
-  void ray(const RayNode& node, int indent, const std::string& weight) {
+  void ray(const attribution::RayNode& node, int indent, const std::string& weight) {
     const KindWords words = words_of(node.kind);
     line(indent,
          std::string(words.name) + weight + ", depth " + std::to_string(node.depth) + ", from " +
@@ -117,7 +117,7 @@ class Writer {
     for (std::size_t i = 0; i < node.meeting->lights.size(); ++i)
       light(terms, i, node.meeting->lights[i], indent + 1);
     line(indent + 1, "local = " + triple(terms.local()), "Vollständiges Modell");
-    for (const RayNode& child : node.children)
+    for (const attribution::RayNode& child : node.children)
       ray(child, indent + 1, weight_of(child.kind, terms.material()));
     if (node.is_cut)
       line(indent + 1, "... and rays that were not traced: there are too many, choose a smaller --depth");
@@ -133,7 +133,7 @@ class Writer {
     return kind == RayKind::totally_reflected ? ", weight 1" : ", weight kt " + triple(material.transmit);
   }
 
-  void meeting(const Meeting& met, const Terms& terms, int indent) {
+  void meeting(const attribution::Meeting& met, const Terms& terms, int indent) {
     const std::string face =
         met.surface.face == no_face ? "" : ", face " + std::to_string(static_cast<int>(met.surface.face));
     line(indent,
@@ -181,7 +181,7 @@ class JsonWriter {
  public:
   explicit JsonWriter(const Scene& scene) : scene_(scene), shapes_(scene) {}
 
-  Json ray(const RayNode& node) const {
+  Json ray(const attribution::RayNode& node) const {
     const KindWords words = words_of(node.kind);
     Json json{{"ray", words.name},
               {"slide", words.slide},
@@ -196,8 +196,8 @@ class JsonWriter {
   }
 
  private:
-  void add_meeting(const RayNode& node, Json& json) const {
-    const Meeting& met = *node.meeting;
+  void add_meeting(const attribution::RayNode& node, Json& json) const {
+    const attribution::Meeting& met = *node.meeting;
     const Terms terms(scene_, met);
     json["met"] = {
         {"shape", terms.shape().name}, {"slide", terms.slide()},        {"t", met.t},
@@ -212,7 +212,7 @@ class JsonWriter {
       json["lights"].push_back(light(terms, i, met.lights[i]));
     json["local"] = json_of(terms.local());
     json["children"] = Json::array();
-    for (const RayNode& child : node.children) {
+    for (const attribution::RayNode& child : node.children) {
       json["children"].push_back(ray(child));
       json["children"].back()["weight"] = weight(child.kind, terms.material());
     }
@@ -258,8 +258,8 @@ class JsonWriter {
 
 }  // namespace
 
-std::string cut_note(const RayNode& tree) {
-  if (!is_cut(tree)) return {};
+std::string cut_note(const attribution::RayNode& tree) {
+  if (!attribution::is_cut(tree)) return {};
   return "the tree is cut: the pixel has more than " + std::to_string(textbook::most_rays_of_pixel) +
          " rays, and the sum covers only those that were traced; choose a smaller --depth";
 }
@@ -268,13 +268,17 @@ std::string engine_note(const Rgbd& of_rays, const Rgbd& of_engine) {
   constexpr double tolerance = 1e-6;  // because verify's is, and float32 holds no less above 8
   const std::array<float, 3> shown{float(of_rays.x), float(of_rays.y), float(of_rays.z)};
   const std::array<float, 3> compared{float(of_engine.x), float(of_engine.y), float(of_engine.z)};
-  if (is_within(shown.data(), compared.data(), tolerance)) return {};
+  if (comparison::is_within(shown.data(), compared.data(), tolerance)) return {};
   return "the engine, whose picture verify compares, comes to another colour than these rays of the textbook "
          "tracer; please report the scene";
 }
 
-std::string explain_text(const Scene& scene, const RayNode& tree) { return Writer(scene).text(tree); }
+std::string explain_text(const Scene& scene, const attribution::RayNode& tree) {
+  return Writer(scene).text(tree);
+}
 
-Json explain_json(const Scene& scene, const RayNode& tree) { return JsonWriter(scene).ray(tree); }
+Json explain_json(const Scene& scene, const attribution::RayNode& tree) {
+  return JsonWriter(scene).ray(tree);
+}
 
-}  // namespace plumb::references
+}  // namespace plumb::report

@@ -6,10 +6,11 @@
 #include "references/attribution/ray_tree.hpp"
 #include "references/report/explain.hpp"
 
-namespace plumb::references {
+namespace plumb::report {
 namespace {
 
-std::vector<PixelPlace> places_to_explain(const Comparison& comparison, const Budget& budget) {
+std::vector<PixelPlace> places_to_explain(const comparison::Comparison& comparison,
+                                          const attribution::Budget& budget) {
   constexpr std::size_t most = 300;
   std::vector<PixelPlace> places;
   if (!budget.pixels.empty()) places.push_back({comparison.worst.x, comparison.worst.y});
@@ -21,14 +22,14 @@ std::vector<PixelPlace> places_to_explain(const Comparison& comparison, const Bu
 
 }  // namespace
 
-std::map<std::pair<int, int>, std::string> explanations_of(const SceneResult& result) {
+std::map<std::pair<int, int>, std::string> explanations_of(const gates::SceneResult& result) {
   std::map<std::pair<int, int>, std::string> explanations;
   if (!result.pictures || !result.pictures->traced) return explanations;
   constexpr std::size_t most_text = 4'000'000;
   std::size_t text = 0;
   const auto& [scene, camera, options] = *result.pictures->traced;
   try {
-    const TreeTracer tracer({scene, camera, result.width, result.height, options});
+    const attribution::TreeTracer tracer({scene, camera, result.width, result.height, options});
     for (const PixelPlace p : places_to_explain(result.comparison, result.budget)) {
       if (text > most_text) break;
       std::string& said = explanations[{p.x, p.y}] = explain_text(scene, tracer.tree_of(p.x, p.y));
@@ -40,4 +41,4 @@ std::map<std::pair<int, int>, std::string> explanations_of(const SceneResult& re
   return explanations;
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::report

@@ -7,7 +7,7 @@
 #include "references/teaching/picture.hpp"
 #include "tracer/format/reader.hpp"
 
-namespace plumb::references {
+namespace plumb::report {
 namespace {
 
 textbook::RenderJob job_of(const RenderRequest& render) {
@@ -24,19 +24,21 @@ std::string formula(std::string_view whose, std::string_view text) {
 }
 
 /// The fault's own scene, right and wrong.
-std::string pictures_of(const Fault& fault, const std::string& scenes) {
+std::string pictures_of(const faults::Fault& fault, const std::string& scenes) {
   const Scene scene = load_scene(scenes + "/" + std::string(fault.shown_by), {});
   const RenderRequest& render = scene.renders.front();
   const Camera& camera = scene.camera(render.camera);
-  const teaching::Picture right = teaching::picture_of(render_with(scene, camera, job_of(render), {}));
-  const teaching::Picture wrong = teaching::picture_of(render_with(scene, camera, job_of(render), {&fault}));
+  const teaching::Picture right =
+      teaching::picture_of(faults::render_with(scene, camera, job_of(render), {}));
+  const teaching::Picture wrong =
+      teaching::picture_of(faults::render_with(scene, camera, job_of(render), {&fault}));
   return html::figures(teaching::three_pictures(right, wrong), fault.shown_by, ", with this mistake");
 }
 
 /// Slides in the order of the catalogue, each once.
 std::vector<std::string_view> slides() {
   std::vector<std::string_view> all;
-  for (const Fault& fault : fault_catalogue()) {
+  for (const faults::Fault& fault : faults::fault_catalogue()) {
     if (std::find(all.begin(), all.end(), fault.slide) == all.end()) all.push_back(fault.slide);
   }
   return all;
@@ -46,7 +48,7 @@ std::string contents() {
   std::string text = "<nav>";
   for (const std::string_view slide : slides()) {
     text += html::paragraph(slide, "muted") + "<ul>";
-    for (const Fault& fault : fault_catalogue()) {
+    for (const faults::Fault& fault : faults::fault_catalogue()) {
       if (fault.slide == slide)
         text += html::element("li", "", html::link("#" + std::string(fault.id), fault.id));
     }
@@ -57,7 +59,7 @@ std::string contents() {
 
 }  // namespace
 
-std::string section_of(const Fault& fault, const std::string& scenes, const std::string& remark) {
+std::string section_of(const faults::Fault& fault, const std::string& scenes, const std::string& remark) {
   const std::string scene = "tests/scenes/" + std::string(fault.shown_by);
   return "<section id=\"" + std::string(fault.id) + "\">" +
          html::element("h3", "", html_escaped(fault.explanation)) + remark +
@@ -75,17 +77,17 @@ std::string faults_page(const std::string& scenes, const std::function<void(doub
   std::size_t done = 0;
   for (const std::string_view slide : slides()) {
     text += html::element("h2", "", html_escaped(slide)) + "\n";
-    for (const Fault& fault : fault_catalogue()) {
+    for (const faults::Fault& fault : faults::fault_catalogue()) {
       if (fault.slide != slide) continue;
       text += section_of(fault, scenes);
-      progress(static_cast<double>(++done) / static_cast<double>(fault_catalogue().size()));
+      progress(static_cast<double>(++done) / static_cast<double>(faults::fault_catalogue().size()));
     }
   }
   return html::page(
       {"Mistakes of ray tracers",
-       "plumb knows " + std::to_string(fault_catalogue().size()) +
+       "plumb knows " + std::to_string(faults::fault_catalogue().size()) +
            " mistakes that real ray tracers make; each stands here with its formula and its picture.",
        text, ""});
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::report

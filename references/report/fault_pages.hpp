@@ -6,14 +6,14 @@
 
 #include "references/faults/fault.hpp"
 
-namespace plumb::references {
+namespace plumb::report {
 
 /// <section id=FAULT>: what is wrong, both formulas, how common it is, and the fault's own scene rendered
 /// right and wrong. `remark` is HTML that follows the sentence. Throws std::runtime_error when the scene is
 /// not in the directory.
-std::string section_of(const Fault& fault, const std::string& scenes, const std::string& remark = "");
+std::string section_of(const faults::Fault& fault, const std::string& scenes, const std::string& remark = "");
 
 /// All faults, by slide. `progress` is called with 0 to 1.
 std::string faults_page(const std::string& scenes, const std::function<void(double)>& progress);
 
-}  // namespace plumb::references
+}  // namespace plumb::report

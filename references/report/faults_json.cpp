@@ -2,12 +2,12 @@
 
 #include "references/teaching/document.hpp"
 
-namespace plumb::references {
+namespace plumb::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json fault_json(const Fault& fault) {
+Json fault_json(const faults::Fault& fault) {
   return {{"id", fault.id},
           {"catalogue", fault.catalogue},
           {"slide", fault.slide},
@@ -22,7 +22,7 @@ Json fault_json(const Fault& fault) {
 
 Json faults_json() {
   Json all = Json::array();
-  for (const Fault& fault : fault_catalogue()) all.push_back(fault_json(fault));
+  for (const faults::Fault& fault : faults::fault_catalogue()) all.push_back(fault_json(fault));
   return {{"tool", "plumb"}, {"version", PLUMB_VERSION}, {"faults", all}};
 }
 
@@ -33,12 +33,12 @@ Json corpus_json(const teaching::Matrix& matrix, const teaching::TeachingSet& se
   for (const teaching::Pair& pair : set.left)
     left.push_back({teaching::picture_name(pair.a), teaching::picture_name(pair.b)});
   Json seen = Json::object();
-  for (std::size_t fault = 0; fault < fault_catalogue().size(); ++fault) {
+  for (std::size_t fault = 0; fault < faults::fault_catalogue().size(); ++fault) {
     Json in = Json::array();
     for (std::size_t i = 0; i < matrix.scenes().size(); ++i) {
       if (matrix.shows(i, fault)) in.push_back(matrix.scenes()[i]);
     }
-    seen[std::string(fault_catalogue()[fault].id)] = in;
+    seen[std::string(faults::fault_catalogue()[fault].id)] = in;
   }
   return {{"scenes", matrix.scenes()},
           {"teaching_set", scenes},
@@ -47,4 +47,4 @@ Json corpus_json(const teaching::Matrix& matrix, const teaching::TeachingSet& se
           {"seen_in", seen}};
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::report

@@ -2,7 +2,7 @@
 
 #include "references/report/compared_contents.hpp"
 
-namespace plumb::references {
+namespace plumb::report {
 namespace {
 
 Json contents_of(const PixelRows& rows) {
@@ -25,8 +25,8 @@ Json contents_json(const NamedRows& reference, const NamedRows& test) {
 
 }  // namespace
 
-Json json_of(const Findings& f) {
-  const Comparison& c = f.result.comparison;
+Json json_of(const gates::Findings& f) {
+  const comparison::Comparison& c = f.result.comparison;
   Json json{{"tool", "plumb"},
             {"version", PLUMB_VERSION},
             {"reference", f.reference_path},
@@ -45,4 +45,4 @@ Json json_of(const Findings& f) {
   return json;
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::report

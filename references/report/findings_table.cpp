@@ -7,7 +7,7 @@
 #include "references/report/metrics_table.hpp"
 #include "references/report/sentences.hpp"
 
-namespace plumb::references {
+namespace plumb::report {
 namespace {
 
 std::string nine_digits_of_each(const std::vector<float>& values) {
@@ -18,18 +18,18 @@ std::string nine_digits_of_each(const std::vector<float>& values) {
 
 }  // namespace
 
-std::string contents_of(const Findings& f) {
+std::string contents_of(const gates::Findings& f) {
   return contents_text({f.reference_path, f.reference}, {f.test_path, f.test});
 }
 
-std::string verdict_of(const Findings& f) {
+std::string verdict_of(const gates::Findings& f) {
   if (!f.agrees()) return "differ";
   return f.result.comparison.pixels_over > 0 ? "agree within the bounds" : "agree";
 }
 
-std::string table_of(const Findings& f) {
+std::string table_of(const gates::Findings& f) {
   std::string text;
-  const Comparison& c = f.result.comparison;
+  const comparison::Comparison& c = f.result.comparison;
   if (c.non_finite > 0) text += formatted("not finite   %zu pixels\n", c.non_finite);
   text += formatted("max error    %.9g\nmean error   %.9g\nRMS error    %.9g\npixels over  %zu of %zu\n",
                     c.max_error, c.mean_error, c.rms_error, c.pixels_over, c.pixels);
@@ -44,8 +44,8 @@ std::string table_of(const Findings& f) {
   return text + contents_of(f) + verdict_of(f) + "\n";
 }
 
-std::string details_of(const Findings& f) {
-  const Comparison& c = f.result.comparison;
+std::string details_of(const gates::Findings& f) {
+  const comparison::Comparison& c = f.result.comparison;
   std::string text = std::to_string(c.pixels_over) + " of " + std::to_string(c.pixels) + " pixels are over";
   if (c.non_finite > 0) text += ", " + std::to_string(c.non_finite) + " of them are not finite";
   text += "; worst pixel (" + std::to_string(c.worst.x) + ", " + std::to_string(c.worst.y) + "): test " +
@@ -57,9 +57,9 @@ std::string details_of(const Findings& f) {
   return contents.empty() ? text : text + "\n" + contents.substr(0, contents.size() - 1);
 }
 
-std::string output_of(const Findings& f) {
+std::string output_of(const gates::Findings& f) {
   const bool is_plain = f.bounds.are_plain() && contents_of(f).empty();
   return is_plain ? "" : details_of(f);
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::report

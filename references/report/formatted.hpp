@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <string>
 
-namespace plumb::references {
+namespace plumb::report {
 
 /// As std::printf has it.
 std::string formatted(const char* format, const auto&... values) {
@@ -16,4 +16,4 @@ std::string formatted(const char* format, const auto&... values) {
 /// Enough that it reads back as the same float32.
 inline std::string nine_digits(double value) { return formatted("%.9g", value); }
 
-}  // namespace plumb::references
+}  // namespace plumb::report

@@ -5,7 +5,7 @@
 
 #include "references/system/json.hpp"
 
-namespace plumb::references {
+namespace plumb::report {
 namespace {
 
 constexpr std::string_view replacement = "\xEF\xBF\xBD";  // U+FFFD
@@ -35,7 +35,7 @@ std::string escaped(char c, Place place) {
 }
 
 std::string escaped(const std::string& text, Place place) {
-  const std::string valid = valid_utf8(text);
+  const std::string valid = system::valid_utf8(text);
   std::string result;
   for (std::size_t i = 0; i < valid.size(); ++i) {
     const std::string_view three = std::string_view(valid).substr(i, 3);
@@ -92,4 +92,4 @@ std::string junit_xml(const std::string& suite, const std::vector<JunitCase>& ca
   return xml + "  </testsuite>\n</testsuites>\n";
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::report

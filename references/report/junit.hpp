@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace plumb::references {
+namespace plumb::report {
 
 struct JunitCase {
   enum class Outcome { passed, failed, error };  ///< failed: differs; error: could not be judged
@@ -20,4 +20,4 @@ struct JunitCase {
 /// not UTF-8 and characters that XML 1.0 forbids (section 2.2) become U+FFFD.
 std::string junit_xml(const std::string& suite, const std::vector<JunitCase>& cases);
 
-}  // namespace plumb::references
+}  // namespace plumb::report

@@ -1,46 +1,46 @@
 #include "references/report/needs_json.hpp"
 
-namespace plumb::references {
+namespace plumb::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json features_json(const Needs& needs) {
+Json features_json(const studies::Needs& needs) {
   Json all = Json::array();
-  for (const Feature& f : needs.features)
+  for (const studies::Feature& f : needs.features)
     all.push_back(
         {{"id", f.id}, {"slide", f.slide}, {"what", f.what}, {"in_scene", f.in_scene}, {"seen", f.seen}});
   return all;
 }
 
 Json real_json(const NeedsReport& r) {
-  Json json{{"sufficient", sufficient_real(r.needs, r.bound)},
+  Json json{{"sufficient", studies::sufficient_real(r.needs, r.bound)},
             {"oracle_pixels", r.needs.oracle_pixels},
             {"pixels", r.needs.observed.pixels}};
   for (const auto* c : {&r.needs.in_float, &r.needs.in_double})
-    json[to_string(c->real)] = {{"error_against_oracle", c->error.against_oracle},
-                                {"error_against_double", c->error.against_double.value_or(0)}};
+    json[studies::to_string(c->real)] = {{"error_against_oracle", c->error.against_oracle},
+                                         {"error_against_double", c->error.against_double.value_or(0)}};
   for (const double bound : bounds_of(r))
-    json["bounds"].push_back({{"error", bound}, {"sufficient", sufficient_real(r.needs, bound)}});
+    json["bounds"].push_back({{"error", bound}, {"sufficient", studies::sufficient_real(r.needs, bound)}});
   return json;
 }
 
-Json depth_json(const Needs& needs) {
-  const DepthNeed& d = needs.depth;
+Json depth_json(const studies::Needs& needs) {
+  const studies::DepthNeed& d = needs.depth;
   Json json{{"asked", d.asked},
             {"same_from", d.same_from},
             {"within_error_from", d.within_bound_from},
             {"deepest_ray", needs.observed.deepest},
             {"rays_black_at_limit", needs.observed.black_at_limit},
             {"change_of_next_depth", d.change_beyond}};
-  for (const DepthStep& step : d.steps)
+  for (const studies::DepthStep& step : d.steps)
     json["steps"].push_back({{"depth", step.depth}, {"error", step.error}});
   return json;
 }
 
-Json costs_json(const Costs& costs) {
+Json costs_json(const studies::Costs& costs) {
   Json json{{"cpu_seconds", costs.cpu_seconds}, {"rounds", costs.rounds}};
-  for (const FeatureCost& c : costs.costs)
+  for (const studies::FeatureCost& c : costs.costs)
     json["with_against_without"].push_back(
         {{"feature", c.feature}, {"median", c.ratio}, {"least", c.least}, {"greatest", c.greatest}});
   return json;
@@ -49,7 +49,7 @@ Json costs_json(const Costs& costs) {
 }  // namespace
 
 Json to_json(const NeedsReport& r) {
-  const Needs& n = r.needs;
+  const studies::Needs& n = r.needs;
   return {{"tool", "plumb"},
           {"version", PLUMB_VERSION},
           {"scene", r.path},
@@ -69,4 +69,4 @@ Json to_json(const NeedsReport& r) {
           {"costs", costs_json(n.costs)}};
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::report

@@ -5,9 +5,9 @@
 
 #include "references/report/needs_report.hpp"
 
-namespace plumb::references {
+namespace plumb::report {
 
 /// One object, see plumb needs --help.
 nlohmann::ordered_json to_json(const NeedsReport& report);
 
-}  // namespace plumb::references
+}  // namespace plumb::report

@@ -4,7 +4,7 @@
 
 #include "references/report/formatted.hpp"
 
-namespace plumb::references {
+namespace plumb::report {
 namespace {
 
 /// Padded to so many characters: a byte of UTF-8 that continues one is none.
@@ -29,10 +29,10 @@ std::string listed(const std::vector<std::string>& names, std::size_t most = 12)
   return text + line;
 }
 
-std::string features_text(const Needs& needs) {
+std::string features_text(const studies::Needs& needs) {
   std::string text = "\nWhat of the lecture it has, and how often that happens in the picture\n";
   std::vector<std::string> absent;
-  for (const Feature& f : needs.features) {
+  for (const studies::Feature& f : needs.features) {
     if (f.in_scene == 0) {
       absent.push_back(f.what);
       continue;
@@ -45,7 +45,7 @@ std::string features_text(const Needs& needs) {
 }
 
 /// What the errors were measured on.
-std::string evidence_text(const Needs& n) {
+std::string evidence_text(const studies::Needs& n) {
   if (n.oracle_pixels == n.observed.pixels)
     return formatted("  Measured against 113 bits on all %zu pixels.\n", n.oracle_pixels);
   return formatted(
@@ -55,20 +55,20 @@ std::string evidence_text(const Needs& n) {
 }
 
 std::string real_text(const NeedsReport& r) {
-  const Needs& n = r.needs;
-  std::string text = "\nReal type: " + sufficient_real(n, r.bound) +
+  const studies::Needs& n = r.needs;
+  std::string text = "\nReal type: " + studies::sufficient_real(n, r.bound) +
                      formatted(" for an error of at most %g\n  Largest error: float %.2g, double %.2g.\n",
                                r.bound, n.in_float.error.largest(), n.in_double.error.largest());
   text += evidence_text(n) + "  Enough for";
   for (const double bound : bounds_of(r))
-    text += " " + (bound == 1.0 / 255 ? "1/255" : formatted("%g", bound)) + ": " + sufficient_real(n, bound) +
-            ";";
+    text += " " + (bound == 1.0 / 255 ? "1/255" : formatted("%g", bound)) + ": " +
+            studies::sufficient_real(n, bound) + ";";
   text.back() = '.';
   return text + "\n";
 }
 
 std::string depth_text(const NeedsReport& r) {
-  const DepthNeed& d = r.needs.depth;
+  const studies::DepthNeed& d = r.needs.depth;
   std::string text = formatted("\nDepth: %d for an error of at most %g\n", d.within_bound_from, r.bound);
   text +=
       d.same_from < d.asked
@@ -76,7 +76,7 @@ std::string depth_text(const NeedsReport& r) {
           : formatted("  No smaller depth gives the picture of depth %d bit for bit.", d.asked);
   text += formatted(" The deepest ray seen has depth %d.\n", r.needs.observed.deepest);
   std::string steps;
-  for (const DepthStep& step : d.steps) {
+  for (const studies::DepthStep& step : d.steps) {
     if (step.depth > d.same_from) break;
     steps += formatted("%s %d: %.2g", steps.empty() ? "" : ",", step.depth, step.error);
   }
@@ -91,7 +91,7 @@ std::string depth_text(const NeedsReport& r) {
 }
 
 std::string untouched_text(const NeedsReport& r) {
-  const Untouched& u = r.needs.untouched;
+  const studies::Untouched& u = r.needs.untouched;
   std::string text = "\nNot needed in this picture\n";
   if (!r.needs.is_same_without_untouched)
     return text +
@@ -111,17 +111,17 @@ std::string untouched_text(const NeedsReport& r) {
          "  This holds for this camera, this size and one sample a pixel; another picture may need them.\n";
 }
 
-std::string costs_text(const Costs& costs) {
+std::string costs_text(const studies::Costs& costs) {
   std::string text =
       formatted("\nWhat it costs: %.1f ms of CPU in double, on one thread; with against without\n",
                 1e3 * costs.cpu_seconds);
-  for (const FeatureCost& c : costs.costs)
+  for (const studies::FeatureCost& c : costs.costs)
     text +=
         "  " + padded(c.feature, 26) + formatted("x %.2f  (%.2f to %.2f)\n", c.ratio, c.least, c.greatest);
   return text + formatted("  Medians and ranges of %d rounds in turns.\n", costs.rounds);
 }
 
-std::string looked_text(const Observed& o) {
+std::string looked_text(const studies::Observed& o) {
   if (o.is_whole()) return "";
   return formatted(
       "Only %zu of %zu pixels were looked at, spread evenly%s: what was not seen may still happen.\n",
@@ -144,4 +144,4 @@ std::string as_text(const NeedsReport& r) {
          untouched_text(r) + costs_text(r.needs.costs);
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::report

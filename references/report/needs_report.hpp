@@ -6,14 +6,14 @@
 
 #include "references/studies/needs/needs.hpp"
 
-namespace plumb::references {
+namespace plumb::report {
 
 struct NeedsReport {
   std::string path;
   const Scene& scene;
   int width, height;
   double bound;
-  Needs needs;
+  studies::Needs needs;
 };
 
 /// The names of those of the scene's things that have these numbers.
@@ -29,4 +29,4 @@ std::string as_text(const NeedsReport& report);
 /// The errors that are looked at, the largest first: the report's own and a few that all know.
 std::vector<double> bounds_of(const NeedsReport& report);
 
-}  // namespace plumb::references
+}  // namespace plumb::report

@@ -4,7 +4,7 @@
 #include "references/report/html/template.hpp"
 #include "references/report/html/web.hpp"
 
-namespace plumb::references {
+namespace plumb::report {
 
 std::string assembled_page(const std::string& title, const std::string& conclusion, const std::string& blocks,
                            bool has_side_files) {
@@ -16,4 +16,4 @@ std::string assembled_page(const std::string& title, const std::string& conclusi
                                html::hash_source(web::script) + (has_side_files ? " 'self' file:" : ""));
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::report

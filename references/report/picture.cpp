@@ -8,7 +8,7 @@
 #include "references/comparison/comparison.hpp"
 #include "references/system/json.hpp"
 
-namespace plumb::references {
+namespace plumb::report {
 namespace {
 
 constexpr const char* over_cause = "over";
@@ -38,8 +38,8 @@ bool is_ignored(const ReportEntry& entry, std::size_t pixel) {
 
 bool is_over(const ReportEntry& entry, std::size_t pixel) {
   if (!entry.tolerance || is_ignored(entry, pixel)) return false;
-  return !is_within(entry.reference->rgb.data() + 3 * pixel, entry.test->rgb.data() + 3 * pixel,
-                    *entry.tolerance);
+  return !comparison::is_within(entry.reference->rgb.data() + 3 * pixel, entry.test->rgb.data() + 3 * pixel,
+                                *entry.tolerance);
 }
 
 void check(const ReportEntry& entry) {
@@ -82,7 +82,7 @@ void append_notes(std::string& bytes, const ReportEntry& entry) {
     bytes[start + pixel] = place_of(causes, note.cause);
     if (!note.text.empty()) texts[std::to_string(pixel)] = note.text;
   }
-  bytes += json_text_of_any_bytes(texts);
+  bytes += system::json_text_of_any_bytes(texts);
 }
 
 }  // namespace
@@ -115,4 +115,4 @@ std::string picture_bytes(const ReportEntry& entry) {
   return bytes;
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::report

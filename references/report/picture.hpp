@@ -6,7 +6,7 @@
 
 #include "references/report/report_entry.hpp"
 
-namespace plumb::references {
+namespace plumb::report {
 
 /// Returns the causes in the order of their first pixel. Pixels name them by their place in this list,
 /// counted from 1.
@@ -20,4 +20,4 @@ std::vector<std::string> causes_of(const ReportEntry& entry);
 /// Throws std::invalid_argument for pictures of two sizes, a note outside them, or more than 255 causes.
 std::string picture_bytes(const ReportEntry& entry);
 
-}  // namespace plumb::references
+}  // namespace plumb::report

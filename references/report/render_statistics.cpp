@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-namespace plumb::references {
+namespace plumb::report {
 namespace {
 
 std::string milliseconds(const engine::Seconds& seconds) {
@@ -42,4 +42,4 @@ std::string as_text(const RenderStatistics& s) {
          " tests of a vector against a shape\n";
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::report

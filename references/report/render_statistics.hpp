@@ -10,15 +10,15 @@
 #include "references/studies/needs/choice.hpp"
 #include "tracer/engine/statistics.hpp"
 
-namespace plumb::references {
+namespace plumb::report {
 
 /// Why a configuration was chosen.
 struct ChosenForError {
   double bound;
   int asked_depth;
   std::size_t oracle_pixels, pixels;
-  Candidate candidate;
-  std::vector<Candidate> tried;
+  studies::Candidate candidate;
+  std::vector<studies::Candidate> tried;
   std::string reason;  ///< a few lines
 };
 
@@ -38,4 +38,4 @@ std::string as_text(const RenderStatistics& statistics);
 using RayCounts = std::vector<std::pair<const char*, std::uint64_t>>;
 RayCounts rays_of(const engine::Statistics& counts);
 
-}  // namespace plumb::references
+}  // namespace plumb::report

@@ -4,14 +4,14 @@
 
 #include "references/system/json.hpp"
 
-namespace plumb::references {
+namespace plumb::report {
 namespace {
 
-nlohmann::ordered_json candidate_json(const Candidate& c) {
+nlohmann::ordered_json candidate_json(const studies::Candidate& c) {
   nlohmann::ordered_json json{
-      {"real", to_string(c.real)},       {"depth", c.depth},
-      {"error", c.error.largest()},      {"error_against_oracle", c.error.against_oracle},
-      {"error_against_double", nullptr}, {"cpu_seconds", c.cpu_seconds}};
+      {"real", studies::to_string(c.real)}, {"depth", c.depth},
+      {"error", c.error.largest()},         {"error_against_oracle", c.error.against_oracle},
+      {"error_against_double", nullptr},    {"cpu_seconds", c.cpu_seconds}};
   if (c.error.against_double) json["error_against_double"] = *c.error.against_double;
   return json;
 }
@@ -23,7 +23,7 @@ nlohmann::ordered_json chosen_json(const ChosenForError& chosen) {
                               {"pixels", chosen.pixels},
                               {"chosen", candidate_json(chosen.candidate)},
                               {"reason", chosen.reason}};
-  for (const Candidate& c : chosen.tried) json["tried"].push_back(candidate_json(c));
+  for (const studies::Candidate& c : chosen.tried) json["tried"].push_back(candidate_json(c));
   return json;
 }
 
@@ -40,14 +40,14 @@ std::string as_json(const RenderStatistics& s) {
     json["cpu_seconds"][name] = seconds.cpu;
   }
   if (s.chosen) json["error"] = chosen_json(*s.chosen);
-  if (!s.has_counts) return json_text(json, 2) + "\n";
+  if (!s.has_counts) return system::json_text(json, 2) + "\n";
   json["bytes"] = s.counts.bytes;
   json["objects"] = s.counts.objects;
   for (const auto& [kind, count] : rays_of(s.counts)) json["rays"][kind] = count;
   json["bundles"] = s.counts.bundles;
   json["nodes"] = s.counts.nodes;
   json["shape_tests"] = s.counts.shape_tests;
-  return json_text(json, 2) + "\n";
+  return system::json_text(json, 2) + "\n";
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::report

@@ -5,9 +5,9 @@
 
 #include "references/report/render_statistics.hpp"
 
-namespace plumb::references {
+namespace plumb::report {
 
 /// One object, see plumb render --stats-json.
 std::string as_json(const RenderStatistics& statistics);
 
-}  // namespace plumb::references
+}  // namespace plumb::report

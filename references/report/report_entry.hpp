@@ -11,7 +11,7 @@
 #include "references/comparison/pixel_mask.hpp"
 #include "tracer/image/image.hpp"
 
-namespace plumb::references {
+namespace plumb::report {
 
 /// Why a pixel is over the tolerance.
 struct PixelNote {
@@ -28,11 +28,12 @@ struct ReportEntry {
   std::shared_ptr<const Image> reference, test;  ///< of one size; both null for a scene in trouble
   /// Whether its values are what a screen shows, as files of 8 bits have them; else they are linear.
   bool reference_is_encoded = false, test_is_encoded = false;
-  std::vector<PixelNote> notes;    ///< pixels over the tolerance
-  std::optional<Limit> tolerance;  ///< marks every pixel over it "over"; for pictures without notes
-  PixelMask mask;                  ///< marks every pixel that does not count "ignored"
-  std::string explain_command;     ///< " X Y" is added, e.g. "plumb explain scene.sdf"; may be empty
-  std::string approve_command;     ///< makes this picture the baseline; may be empty
+  std::vector<PixelNote> notes;  ///< pixels over the tolerance
+  std::optional<comparison::Limit>
+      tolerance;                ///< marks every pixel over it "over"; for pictures without notes
+  comparison::PixelMask mask;   ///< marks every pixel that does not count "ignored"
+  std::string explain_command;  ///< " X Y" is added, e.g. "plumb explain scene.sdf"; may be empty
+  std::string approve_command;  ///< makes this picture the baseline; may be empty
 };
 
-}  // namespace plumb::references
+}  // namespace plumb::report

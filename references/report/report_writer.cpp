@@ -17,7 +17,7 @@
 #include "references/system/digest.hpp"
 #include "tracer/system/files.hpp"
 
-namespace plumb::references {
+namespace plumb::report {
 namespace {
 
 namespace fs = std::filesystem;
@@ -63,7 +63,8 @@ Json json_of(const ReportEntry& entry) {
 /// With the colours of their pixels.
 Json known_causes() {
   Json causes = Json::array();
-  for (const CauseRow& row : cause_rows()) causes.push_back({{"name", row.name}, {"colour", row.colour}});
+  for (const attribution::CauseRow& row : attribution::cause_rows())
+    causes.push_back({{"name", row.name}, {"colour", row.colour}});
   return causes;
 }
 
@@ -84,7 +85,7 @@ void ReportWriter::add(const ReportEntry& entry) {
   if (entry.reference && entry.test) {
     const std::string packed = deflated(picture_bytes(entry));
     picture.text = base64(packed);
-    picture.id = sha256(picture.text).substr(0, hash_size);
+    picture.id = system::sha256(picture.text).substr(0, hash_size);
   }
   Json json = json_of(entry);
   const std::lock_guard lock(mutex_);
@@ -149,4 +150,4 @@ void ReportWriter::remove_old_pictures() const {
   if (fs::is_empty(folder, ignored)) fs::remove(folder, ignored);
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::report

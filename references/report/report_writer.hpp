@@ -8,7 +8,7 @@
 
 #include "references/report/report_entry.hpp"
 
-namespace plumb::references {
+namespace plumb::report {
 
 /// Pictures are kept bit by bit (float32, NaN and infinities too). Up to `most_inline` bytes of them stand in
 /// the page. With more, all lie beside it in pictures/, and the page loads each when it is looked at.
@@ -49,4 +49,4 @@ class ReportWriter {
   bool is_beside_ = false;
 };
 
-}  // namespace plumb::references
+}  // namespace plumb::report

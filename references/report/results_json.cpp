@@ -6,21 +6,21 @@
 #include "references/system/json.hpp"
 #include "tracer/system/files.hpp"
 
-namespace plumb::references {
+namespace plumb::report {
 namespace {
 
 /// What the scene has none of differs by nothing; what could not be compared has no figures.
-Json to_json(const TermResult& t) {
+Json to_json(const gates::TermResult& t) {
   if (t.in_scene && !t.comparison)
     return {{"in_scene", true}, {"max_error", nullptr}, {"pixels_over", nullptr}, {"unexplained", nullptr}};
-  const Comparison c = t.comparison.value_or(Comparison{});
+  const comparison::Comparison c = t.comparison.value_or(comparison::Comparison{});
   return {{"in_scene", t.in_scene},
           {"max_error", c.max_error},
           {"pixels_over", c.pixels_over},
           {"unexplained", t.unexplained}};
 }
 
-Json flip_json(const Flip& flip) {
+Json flip_json(const comparison::Flip& flip) {
   Json json{{"kind", flip.exposures ? "HDR" : "LDR"}, {"mean", flip.mean}, {"max", flip.max}};
   if (const auto& e = flip.exposures) {
     json["exposures"] = {{"start", e->start}, {"stop", e->stop}, {"count", e->count}};
@@ -32,22 +32,22 @@ constexpr std::array keys_of_figures{"max_error",   "judged_error", "mean_error"
                                      "pixels_over", "non_finite",   "worst",      "metrics",
                                      "budget",      "unexamined",   "unverified", "shapes"};
 
-std::vector<std::string> texts_of(const std::vector<Region>& regions) {
+std::vector<std::string> texts_of(const std::vector<gates::Region>& regions) {
   std::vector<std::string> texts;
-  for (const Region& region : regions) texts.push_back(region.text);
+  for (const gates::Region& region : regions) texts.push_back(region.text);
   return texts;
 }
 
 }  // namespace
 
-Json scene_json(const SceneResult& r, const std::string& message) {
+Json scene_json(const gates::SceneResult& r, const std::string& message) {
   Json json{{"scene", r.scene},
-            {"status", to_string(r.status)},
+            {"status", gates::to_string(r.status)},
             {"message", message},
             {"width", r.width},
             {"height", r.height}};
   json.update(to_json(r.comparison));
-  const bool has_figures = r.status != Status::error && !r.no_figures;
+  const bool has_figures = r.status != gates::Status::error && !r.no_figures;
   json["metrics"] = to_json(r.metrics);
   json["budget"] = to_json(r.budget);
   json["unexamined"] = r.budget.unexamined;
@@ -55,31 +55,32 @@ Json scene_json(const SceneResult& r, const std::string& message) {
   json["shapes"] = r.budget.shapes;
   for (const char* const key : keys_of_figures)
     if (!has_figures) json[key] = nullptr;  // 0 would say that nothing differs
-  for (const TermResult& t : r.terms) json["terms"][to_string(t.term)] = to_json(t);
+  for (const gates::TermResult& t : r.terms) json["terms"][attribution::to_string(t.term)] = to_json(t);
   if (r.judgement) json["judgement"] = to_json(*r.judgement);
   json["seconds"] = {{"ours", r.seconds_ours}, {"reference", r.seconds_reference}};
   json["cached"] = r.cached;
   return json;
 }
 
-Json to_json(const Budget& budget) {
+Json to_json(const attribution::Budget& budget) {
   Json json;
-  for (std::size_t i = 0; i < cause_count; ++i) {
-    const auto cause = static_cast<Cause>(i);
-    json[to_string(cause)] = budget.count(cause);
+  for (std::size_t i = 0; i < attribution::cause_count; ++i) {
+    const auto cause = static_cast<attribution::Cause>(i);
+    json[attribution::to_string(cause)] = budget.count(cause);
   }
   return json;
 }
 
-Json to_json(const Judgement& judgement) {
+Json to_json(const truth::Judgement& judgement) {
   Json json;
-  for (const Verdict verdict : all_verdicts) json[to_string(verdict)] = judgement.count(verdict);
+  for (const truth::Verdict verdict : truth::all_verdicts)
+    json[truth::to_string(verdict)] = judgement.count(verdict);
   json["not_judged"] = judgement.not_judged;
   Json& pixels = json["pixels"] = Json::array();
-  for (const JudgedPixel& p : judgement.pixels) {
+  for (const truth::JudgedPixel& p : judgement.pixels) {
     pixels.push_back({{"x", p.x},
                       {"y", p.y},
-                      {"verdict", to_string(p.verdict)},
+                      {"verdict", truth::to_string(p.verdict)},
                       {"ours", p.ours},
                       {"reference", p.reference},
                       {"oracle", {p.oracle.x, p.oracle.y, p.oracle.z}}});
@@ -87,7 +88,7 @@ Json to_json(const Judgement& judgement) {
   return json;
 }
 
-Json to_json(const Comparison& c) {
+Json to_json(const comparison::Comparison& c) {
   return {{"max_error", c.max_error},
           {"judged_error", c.judged_error},
           {"mean_error", c.mean_error},
@@ -98,22 +99,22 @@ Json to_json(const Comparison& c) {
            {{"x", c.worst.x}, {"y", c.worst.y}, {"ours", c.worst.test}, {"reference", c.worst.reference}}}};
 }
 
-Json to_json(const Metrics& m) {
+Json to_json(const comparison::Metrics& m) {
   Json json{{"peak", m.peak}, {"psnr_db", m.psnr_db ? Json(*m.psnr_db) : Json()}};
   for (std::size_t i = 0; i < m.percentiles.size(); ++i) {
-    const std::size_t permille = permilles[i];
+    const std::size_t permille = comparison::permilles[i];
     const std::string name =
         "p" + std::to_string(permille / 10) + (permille % 10 ? "." + std::to_string(permille % 10) : "");
     json["percentiles"][name] = m.percentiles[i];
   }
   json["bias"] = m.bias;
   for (std::size_t i = 0; i < m.scalars.size(); ++i)
-    json[scalar_metrics()[i].key] = m.scalars[i] ? Json(*m.scalars[i]) : Json();
+    json[comparison::scalar_metrics()[i].key] = m.scalars[i] ? Json(*m.scalars[i]) : Json();
   json["flip"] = m.flip ? flip_json(*m.flip) : Json();
   return json;
 }
 
-Json to_json(const LikelyCause& c) {
+Json to_json(const comparison::LikelyCause& c) {
   return {{"name", c.name},
           {"text", c.text},
           {"pixels_over", c.pixels_over},
@@ -121,7 +122,7 @@ Json to_json(const LikelyCause& c) {
           {"because", c.because}};
 }
 
-Json to_json(const Bounds& bounds, const BoundedComparison& result) {
+Json to_json(const gates::Bounds& bounds, const gates::BoundedComparison& result) {
   return {{"tolerance", bounds.limit.tolerance},
           {"relative", bounds.limit.relative},
           {"allow_over", bounds.allow_over.text()},
@@ -134,9 +135,10 @@ Json to_json(const Bounds& bounds, const BoundedComparison& result) {
           {"because", bounds.because}};
 }
 
-Json to_json(const VerifyReport& report) {
+Json to_json(const gates::VerifyReport& report) {
   Json scenes = Json::array();
-  for (const SceneResult& result : report.scenes) scenes.push_back(scene_json(result, message_of(result)));
+  for (const gates::SceneResult& result : report.scenes)
+    scenes.push_back(scene_json(result, message_of(result)));
   return {{"tool", "plumb"},
           {"version", PLUMB_VERSION},
           {"reference", {{"renderer", report.reference.name}, {"version", report.reference_version}}},
@@ -145,7 +147,7 @@ Json to_json(const VerifyReport& report) {
 }
 
 void write_json(const std::string& path, const Json& json) {
-  write_file(path, json_text_of_any_bytes(json, 2) + "\n");
+  write_file(path, system::json_text_of_any_bytes(json, 2) + "\n");
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::report

@@ -7,7 +7,7 @@
 #include "references/report/formatted.hpp"
 #include "references/report/sentences.hpp"
 
-namespace plumb::references {
+namespace plumb::report {
 namespace {
 
 /// The first line, with what follows on lines of its own.
@@ -20,11 +20,11 @@ std::string indented(const std::string& message) {
   return text;
 }
 
-std::string terms_text(const std::vector<TermResult>& terms) {
+std::string terms_text(const std::vector<gates::TermResult>& terms) {
   std::string text;
-  for (const TermResult& t : terms) {
+  for (const gates::TermResult& t : terms) {
     if (!t.comparison) continue;
-    text += formatted(" %s %.2g", to_string(t.term), t.comparison->judged_error);
+    text += formatted(" %s %.2g", attribution::to_string(t.term), t.comparison->judged_error);
     if (t.unexplained > 0) text += formatted(" (%zu pixels unexplained)", t.unexplained);
     text += ",";
   }
@@ -48,19 +48,20 @@ std::string table_head(std::size_t width) {
                    "over", "unexpl.", "unver.", "result");
 }
 
-std::string table_row(const SceneResult& r, const std::string& message, std::size_t width) {
+std::string table_row(const gates::SceneResult& r, const std::string& message, std::size_t width) {
   const std::string name =
       r.scene.size() <= width ? r.scene : std::filesystem::path(r.scene).filename().string();
   std::string row = formatted("%-*s ", static_cast<int>(width), name.c_str());
-  const bool is_trouble = r.status == Status::error;
+  const bool is_trouble = r.status == gates::Status::error;
   const std::string size = is_trouble ? "-" : std::to_string(r.width) + "x" + std::to_string(r.height);
   if (is_trouble || r.no_figures) {
     row += formatted("%10s %10s %8s %7s %7s  ", size.c_str(), "-", "-", "-", "-");
   } else {
     row += formatted("%10s %10.2g %8zu %7zu %7zu  ", size.c_str(), r.comparison.judged_error,
-                     r.comparison.pixels_over, r.budget.count(Cause::unexplained), r.budget.unverified());
+                     r.comparison.pixels_over, r.budget.count(attribution::Cause::unexplained),
+                     r.budget.unverified());
   }
-  row += std::string(to_string(r.status)) + (r.stored ? " (stored)" : r.cached ? " (cached)" : "");
+  row += std::string(gates::to_string(r.status)) + (r.stored ? " (stored)" : r.cached ? " (cached)" : "");
   if (!r.terms.empty()) row += "\n      largest error of each term:" + terms_text(r.terms);
   if (r.judgement && r.comparison.pixels_over > 0)
     row += "\n      judged in 113 bits: " + judgement_text(*r.judgement);
@@ -68,16 +69,16 @@ std::string table_row(const SceneResult& r, const std::string& message, std::siz
   return row;
 }
 
-std::string outcome(const VerifyReport& report) {
-  const auto count = [&](Status status) {
+std::string outcome(const gates::VerifyReport& report) {
+  const auto count = [&](gates::Status status) {
     return std::count_if(report.scenes.begin(), report.scenes.end(),
-                         [&](const SceneResult& s) { return s.status == status; });
+                         [&](const gates::SceneResult& s) { return s.status == status; });
   };
   const auto total = report.scenes.size();
   return formatted("%zu scene%s against %s%s %s: %td agree, %td differ, %td in trouble", total,
                    total == 1 ? "" : "s", report.notice.empty() ? "" : "stored images by ",
-                   report.reference.title.c_str(), report.reference_version.c_str(), count(Status::agree),
-                   count(Status::differ), count(Status::error));
+                   report.reference.title.c_str(), report.reference_version.c_str(),
+                   count(gates::Status::agree), count(gates::Status::differ), count(gates::Status::error));
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::report

@@ -4,7 +4,7 @@
 
 #include "references/system/json.hpp"
 
-namespace plumb::references {
+namespace plumb::report {
 namespace {
 
 void replace_all(std::string& text, std::string_view from, std::string_view to) {
@@ -17,7 +17,7 @@ void replace_all(std::string& text, std::string_view from, std::string_view to) 
 
 std::string script_json(const nlohmann::ordered_json& json) {
   // Outside strings JSON has none of these, so that escapes of strings are right everywhere.
-  std::string text = json_text_of_any_bytes(json);
+  std::string text = system::json_text_of_any_bytes(json);
   std::string escaped;
   escaped.reserve(text.size());
   for (const char c : text) {
@@ -40,4 +40,4 @@ std::string script_json(const nlohmann::ordered_json& json) {
   return escaped;
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::report

@@ -9,7 +9,7 @@
 #include "references/report/formatted.hpp"
 #include "tracer/text/numbers.hpp"
 
-namespace plumb::references {
+namespace plumb::report {
 namespace {
 
 /// To `digits` digits.
@@ -34,8 +34,8 @@ std::string components(const std::vector<float>& values) {
 
 std::string size_text(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
 
-std::string name_of(Verdict verdict) {
-  std::string name = to_string(verdict);
+std::string name_of(truth::Verdict verdict) {
+  std::string name = truth::to_string(verdict);
   std::replace(name.begin(), name.end(), '_', ' ');
   return name;
 }
@@ -55,17 +55,18 @@ class Joined {
 };
 
 /// The budget in words: what the pixels over are, and what is wrong.
-std::string budget_text(const SceneResult& result) {
-  const Comparison& c = result.comparison;
+std::string budget_text(const gates::SceneResult& result) {
+  const comparison::Comparison& c = result.comparison;
   if (c.non_finite > 0) return std::to_string(c.non_finite) + " pixels are not finite";
-  const Budget& budget = result.budget;
+  const attribution::Budget& budget = result.budget;
   if (budget.explained() == 0) return {};
   std::string said = std::to_string(budget.explained()) + " of " + std::to_string(c.pixels_over) +
                      " pixels over are explained, each by a proof:";
-  for (std::size_t i = 0; i + 1 < cause_count; ++i) {
-    const auto cause = static_cast<Cause>(i);
+  for (std::size_t i = 0; i + 1 < attribution::cause_count; ++i) {
+    const auto cause = static_cast<attribution::Cause>(i);
     if (budget.count(cause) > 0)
-      said += std::string(" ") + to_string(cause) + " " + std::to_string(budget.count(cause)) + ",";
+      said +=
+          std::string(" ") + attribution::to_string(cause) + " " + std::to_string(budget.count(cause)) + ",";
   }
   said.pop_back();
   if (!budget.shapes.empty()) said += "; shapes that take part:";
@@ -74,7 +75,7 @@ std::string budget_text(const SceneResult& result) {
 }
 
 /// What agreement means little without: a picture of nothing, a file that was read with reservations.
-std::string reservations(const SceneResult& result) {
+std::string reservations(const gates::SceneResult& result) {
   Joined said("; ");
   if (result.is_of_one_colour)
     said.add(
@@ -87,7 +88,7 @@ std::string reservations(const SceneResult& result) {
   return said.text();
 }
 
-std::string suspect_text(const FloatSuspect& suspect) {
+std::string suspect_text(const gates::FloatSuspect& suspect) {
   const std::string by =
       suspect.error ? ": float32 alone differs from double by up to " + number(*suspect.error, 3) + " here"
                     : "";
@@ -95,23 +96,24 @@ std::string suspect_text(const FloatSuspect& suspect) {
 }
 
 /// Which could not be compared, and the first that differs.
-std::string terms_text(const SceneResult& result) {
+std::string terms_text(const gates::SceneResult& result) {
   Joined said("; ");
-  for (const TermResult& t : result.terms) {
+  for (const gates::TermResult& t : result.terms) {
     if (!t.trouble.empty())
-      said.add(std::string("the term ") + to_string(t.term) + " could not be compared: " + t.trouble);
+      said.add(std::string("the term ") + attribution::to_string(t.term) +
+               " could not be compared: " + t.trouble);
   }
   const auto first = std::find_if(result.terms.begin(), result.terms.end(),
-                                  [](const TermResult& t) { return t.unexplained > 0; });
+                                  [](const gates::TermResult& t) { return t.unexplained > 0; });
   if (first == result.terms.end()) return said.text();
-  const bool differs = result.status == Status::differ;
+  const bool differs = result.status == gates::Status::differ;
   said.add(std::string(differs ? "the difference lives in the term " : "alone, there differs the term ") +
-           to_string(first->term));
+           attribution::to_string(first->term));
   return said.text();
 }
 
 /// The figures of a difference from a baseline.
-std::string difference_text(const Comparison& c) {
+std::string difference_text(const comparison::Comparison& c) {
   std::string text = std::to_string(c.pixels_over) + " of " + std::to_string(c.pixels) + " pixels are over";
   if (c.non_finite > 0) text += ", " + std::to_string(c.non_finite) + " of them are not finite";
   double error = 0;
@@ -125,29 +127,29 @@ std::string difference_text(const Comparison& c) {
 }
 
 /// Who to ask about the baseline.
-std::string history_text(const RegressedScene& scene) {
-  const Baseline& baseline = *scene.approved;
+std::string history_text(const gates::RegressedScene& scene) {
+  const renderers::Baseline& baseline = *scene.approved;
   return "\nbaseline approved by " + baseline.who + ", " + baseline.when + ": " + baseline.why +
          (scene.has_changed ? "\nthe scene file has changed since" : "");
 }
 
 /// What differs from the baseline; of a scene that agrees, what verify would say.
-std::string compared_text(const RegressedScene& scene) {
-  const SceneResult& result = scene.result;
-  if (result.no_figures == NoFigures::nothing_approved) return "new: there is no baseline yet";
-  if (result.no_figures == NoFigures::other_size)
+std::string compared_text(const gates::RegressedScene& scene) {
+  const gates::SceneResult& result = scene.result;
+  if (result.no_figures == gates::NoFigures::nothing_approved) return "new: there is no baseline yet";
+  if (result.no_figures == gates::NoFigures::other_size)
     return "the size is " + size_text(result.width, result.height) + ", of the baseline " +
            size_text(scene.approved->width, scene.approved->height) + history_text(scene);
-  if (result.status != Status::differ) return message_of(result);
+  if (result.status != gates::Status::differ) return message_of(result);
   Joined lines("\n");
   lines.add(difference_text(result.comparison) + history_text(scene));
   lines.add(message_of(result));
   return lines.text();
 }
 
-std::string list(const std::vector<Region>& regions) {
+std::string list(const std::vector<gates::Region>& regions) {
   std::string text;
-  for (const Region& region : regions) text += (text.empty() ? "" : " ") + region.text;
+  for (const gates::Region& region : regions) text += (text.empty() ? "" : " ") + region.text;
   return text;
 }
 
@@ -155,7 +157,7 @@ std::string pixels_text(std::size_t pixels) {
   return std::to_string(pixels) + (pixels == 1 ? " pixel" : " pixels");
 }
 
-std::string regions_text(const Bounds& bounds, const BoundedComparison& result) {
+std::string regions_text(const gates::Bounds& bounds, const gates::BoundedComparison& result) {
   std::string text = pixels_text(result.ignored) + " ignored";
   if (!bounds.only.empty()) text += ", only " + list(bounds.only) + " compared";
   if (!bounds.ignore.empty()) text += ", not compared: " + list(bounds.ignore);
@@ -166,9 +168,9 @@ std::string regions_text(const Bounds& bounds, const BoundedComparison& result) 
 
 }  // namespace
 
-std::string in_words(const BrokenBound& broken) {
+std::string in_words(const attribution::BrokenBound& broken) {
   if (broken.cause)
-    return std::to_string(broken.found) + " pixels are put down to " + to_string(*broken.cause) +
+    return std::to_string(broken.found) + " pixels are put down to " + attribution::to_string(*broken.cause) +
            ", at most " + std::to_string(broken.allowed) + " are allowed";
   return std::to_string(broken.found) +
          " pixels are unverified: the reference does not tell apart the surfaces that meet there, or the "
@@ -176,7 +178,7 @@ std::string in_words(const BrokenBound& broken) {
          std::to_string(broken.allowed) + " are allowed, 1 % of the picture";
 }
 
-std::string note_of(const Budget& budget) {
+std::string note_of(const attribution::Budget& budget) {
   if (budget.unexamined == 0) return {};
   return std::to_string(budget.unexamined) +
          " of the unexplained pixels were not examined to the end: there are too many, or each takes too "
@@ -184,10 +186,10 @@ std::string note_of(const Budget& budget) {
          "rays";
 }
 
-std::string note_of(const Judgement& judgement) {
+std::string note_of(const truth::Judgement& judgement) {
   Joined said("; ");
-  const std::size_t both = judgement.count(Verdict::both_wrong);
-  const std::size_t wrong = judgement.count(Verdict::ours_wrong) + both;
+  const std::size_t both = judgement.count(truth::Verdict::both_wrong);
+  const std::size_t wrong = judgement.count(truth::Verdict::ours_wrong) + both;
   if (wrong > 0)
     said.add("judged in 113 bits, our side is wrong at " + pixels_text(wrong) +
              (both > 0 ? " (at " + std::to_string(both) + " of them the reference is, too)" : ""));
@@ -198,21 +200,21 @@ std::string note_of(const Judgement& judgement) {
   return said.text();
 }
 
-std::string judgement_text(const Judgement& judgement) {
+std::string judgement_text(const truth::Judgement& judgement) {
   std::string text;
-  for (const Verdict verdict : all_verdicts) {
+  for (const truth::Verdict verdict : truth::all_verdicts) {
     text +=
         formatted("%s%s %zu", text.empty() ? "" : ", ", name_of(verdict).c_str(), judgement.count(verdict));
   }
   return text;
 }
 
-std::string judged_text(const JudgedPixel& p) {
+std::string judged_text(const truth::JudgedPixel& p) {
   return "in 113 bits: " + name_of(p.verdict) + "; the scene as written gives " + to_text(p.oracle.x) + " " +
          to_text(p.oracle.y) + " " + to_text(p.oracle.z) + "\n";
 }
 
-std::string cause_text(const LikelyCause& c) {
+std::string cause_text(const comparison::LikelyCause& c) {
   if (!c.because.empty())
     return formatted("%s (then 0 pixels over, because %s)", c.text.c_str(), c.because.c_str());
   std::string text = formatted("%s (then %zu pixels over", c.text.c_str(), c.pixels_over);
@@ -220,7 +222,7 @@ std::string cause_text(const LikelyCause& c) {
   return text + ")";
 }
 
-std::string bounds_text(const Bounds& bounds, const BoundedComparison& result) {
+std::string bounds_text(const gates::Bounds& bounds, const gates::BoundedComparison& result) {
   if (bounds.are_plain()) return {};
   Joined parts("; ");
   if (!bounds.because.empty()) parts.add("tolerance " + number(bounds.limit.tolerance, 6));
@@ -232,21 +234,21 @@ std::string bounds_text(const Bounds& bounds, const BoundedComparison& result) {
   return parts.text();
 }
 
-std::string not_compared_text(const SceneResult& result) {
+std::string not_compared_text(const gates::SceneResult& result) {
   if (!result.no_figures) return {};
   switch (*result.no_figures) {
-    case NoFigures::nothing_approved:
+    case gates::NoFigures::nothing_approved:
       return "there is nothing to compare with: no image was approved yet";
-    case NoFigures::other_size:
+    case gates::NoFigures::other_size:
       return "images of two sizes are not compared";
-    case NoFigures::trouble:
+    case gates::NoFigures::trouble:
       break;
   }
   return "nothing was compared";
 }
 
-std::string message_of(const SceneResult& result) {
-  if (result.status == Status::error) return result.trouble;
+std::string message_of(const gates::SceneResult& result) {
+  if (result.status == gates::Status::error) return result.trouble;
   Joined said("; ");
   if (result.has_causes) {
     said.add(budget_text(result));
@@ -261,11 +263,11 @@ std::string message_of(const SceneResult& result) {
   return said.text();
 }
 
-std::string message_without_bounds(const RegressedScene& scene) {
+std::string message_without_bounds(const gates::RegressedScene& scene) {
   if (!scene.lost.empty())
     return "THE SCENE IS GONE, its baseline " + scene.lost +
            " is there: bring the scene back, or approve that it is gone";
-  if (scene.result.status == Status::error) return scene.result.trouble;
+  if (scene.result.status == gates::Status::error) return scene.result.trouble;
   Joined lines("\n");
   lines.add(compared_text(scene));
   lines.add(scene.not_stored);
@@ -273,14 +275,15 @@ std::string message_without_bounds(const RegressedScene& scene) {
   return lines.text();
 }
 
-std::string message_of(const RegressedScene& scene) {
+std::string message_of(const gates::RegressedScene& scene) {
   const std::string bounds =
       scene.bounds ? bounds_text(scene.bounds->bounds, scene.bounds->comparison) : std::string();
-  const bool is_within = scene.result.status == Status::agree && scene.result.comparison.pixels_over > 0;
+  const bool is_within =
+      scene.result.status == gates::Status::agree && scene.result.comparison.pixels_over > 0;
   Joined lines("\n");
   lines.add(message_without_bounds(scene));
   if (!bounds.empty()) lines.add("bounds: " + bounds + (is_within ? "; without them it differs" : ""));
   return lines.text();
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::report

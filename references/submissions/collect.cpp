@@ -12,7 +12,7 @@
 
 #include "tracer/system/files.hpp"
 
-namespace plumb::references {
+namespace plumb::submissions {
 namespace {
 
 /// Opens below the directory without any symbolic link; O_NONBLOCK so that a pipe does not block.
@@ -82,4 +82,4 @@ Found take_file(const std::string& directory, const std::string& name, std::size
   return found;
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::submissions

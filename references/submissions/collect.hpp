@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string>
 
-namespace plumb::references {
+namespace plumb::submissions {
 
 enum class Found { picture, nothing, not_a_file, too_large, forbidden };
 
@@ -14,4 +14,4 @@ enum class Found { picture, nothing, not_a_file, too_large, forbidden };
 Found take_file(const std::string& directory, const std::string& name, std::size_t most_bytes,
                 const std::string& target);
 
-}  // namespace plumb::references
+}  // namespace plumb::submissions

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-namespace plumb::references {
+namespace plumb::submissions {
 namespace {
 
 [[noreturn]] void refuse(std::string_view command, const char* found) {
@@ -79,4 +79,4 @@ std::vector<std::string> substituted(const std::vector<std::string>& arguments,
   return result;
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::submissions

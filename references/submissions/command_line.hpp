@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace plumb::references {
+namespace plumb::submissions {
 
 /// Splits at blanks. '...' keeps all; "..." and a bare \ keep the character after a \. Nothing else has a
 /// meaning: no variable, no pattern, no pipe. Throws std::invalid_argument for an open quote or no word.
@@ -19,4 +19,4 @@ bool mentions(const std::vector<std::string>& arguments, std::string_view name);
 std::vector<std::string> substituted(const std::vector<std::string>& arguments,
                                      const std::map<std::string, std::string>& values);
 
-}  // namespace plumb::references
+}  // namespace plumb::submissions

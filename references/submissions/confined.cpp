@@ -14,7 +14,7 @@
 #include "tracer/image/io.hpp"
 #include "tracer/system/files.hpp"
 
-namespace plumb::references {
+namespace plumb::submissions {
 namespace {
 
 namespace fs = std::filesystem;
@@ -73,12 +73,12 @@ void expect_colours(const PixelRows& rows, const std::string& file) {
 }
 
 /// Values as they stand in the file.
-Rendered read_picture(const std::string& file) {
+renderers::Rendered read_picture(const std::string& file) {
   ReadRequest request;
   request.most_pixels = most_pixels;
   const PixelRows rows = open_image(file, request);
   expect_colours(rows, file);
-  Rendered picture{Image(rows.width, rows.height)};
+  renderers::Rendered picture{Image(rows.width, rows.height)};
   picture.not_read = what_was_left(rows);
   std::vector<float> row(rows.row_values());
   const auto channels = static_cast<std::size_t>(rows.channels);
@@ -104,18 +104,18 @@ Rendered read_picture(const std::string& file) {
 }  // namespace
 
 ConfinedRenderer::ConfinedRenderer(const std::string& asked, ConfinedCommand command)
-    : Renderer({asked, asked}), command_(std::move(command)) {
+    : renderers::Renderer({asked, asked}), command_(std::move(command)) {
   require_sandbox();
 }
 
-Rendered ConfinedRenderer::render(const Shot& shot) const {
+renderers::Rendered ConfinedRenderer::render(const Shot& shot) const {
   const JudgedScene scene = scene_of(shot);
   const std::string name = image_name(scene);
   JudgeOptions options;
   options.command = substituted(command_.words, {{"image", std::string(sandbox_directory) + "/" + name}});
   options.readable = command_.readable;
   options.limits = command_.limits;
-  const TemporaryDirectory own;
+  const system::TemporaryDirectory own;
   JudgedPicture result;
   const std::string file = picture_of_run({"the renderer", ""}, scene, options, own.path(), result);
   if (file.empty()) fail(result);
@@ -126,4 +126,4 @@ Rendered ConfinedRenderer::render(const Shot& shot) const {
   }
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::submissions

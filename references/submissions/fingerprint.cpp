@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace plumb::references {
+namespace plumb::submissions {
 namespace {
 
 namespace fs = std::filesystem;
@@ -68,4 +68,4 @@ std::string fingerprint_of(const std::string& path, const std::vector<std::strin
   return text;
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::submissions

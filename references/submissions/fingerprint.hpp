@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace plumb::references {
+namespace plumb::submissions {
 
 /// Returns a text of name, kind, size, inode and times of the file, and of all below it when it is a
 /// directory, except what is left out. Of directories it holds kind and inode alone, because what is in them
@@ -12,4 +12,4 @@ namespace plumb::references {
 /// that nothing was changed in between. Throws std::runtime_error when there is no such file.
 std::string fingerprint_of(const std::string& path, const std::vector<std::string>& left_out = {});
 
-}  // namespace plumb::references
+}  // namespace plumb::submissions

@@ -23,7 +23,7 @@
 #include "tracer/image/io.hpp"
 #include "tracer/system/in_parallel.hpp"
 
-namespace plumb::references {
+namespace plumb::submissions {
 namespace {
 
 std::string size_text(std::int64_t width, std::int64_t height) {
@@ -48,8 +48,9 @@ std::optional<ImageFile> read_picture(const std::string& file, const JudgedScene
   request.most_pixels = std::int64_t{asked.width} * asked.height;  // a larger one isn't decoded
   try {
     const PixelRows rows = open_image(file, request);
-    if (const auto complaint = complaint_about_contents(rows)) throw std::runtime_error(*complaint);
-    result.message = not_looked_at(rows);
+    if (const auto complaint = diagnosis::complaint_about_contents(rows))
+      throw std::runtime_error(*complaint);
+    result.message = diagnosis::not_looked_at(rows);
     if (rows.width == asked.width && rows.height == asked.height) return image_of(rows);
     has_wrong_size(rows.width, rows.height);
   } catch (const PictureTooLarge& error) {
@@ -65,25 +66,26 @@ std::optional<ImageFile> read_picture(const std::string& file, const JudgedScene
   return std::nullopt;
 }
 
-html::ThreePictures pictures_of(const Image& ours, const ImageFile& theirs, const OutputEncoding& encoding) {
+report::html::ThreePictures pictures_of(const Image& ours, const ImageFile& theirs,
+                                        const diagnosis::OutputEncoding& encoding) {
   return teaching::three_pictures(teaching::picture_of(ours, encoding), teaching::picture_of(theirs));
 }
 
-Judged verdict_of(PictureVerdict verdict) {
+Judged verdict_of(diagnosis::PictureVerdict verdict) {
   switch (verdict) {
-    case PictureVerdict::right:
+    case diagnosis::PictureVerdict::right:
       return Judged::right;
-    case PictureVerdict::right_apart:
+    case diagnosis::PictureVerdict::right_apart:
       return Judged::right_apart;
-    case PictureVerdict::faults:
+    case diagnosis::PictureVerdict::faults:
       return Judged::faults;
-    case PictureVerdict::unexplained:
+    case diagnosis::PictureVerdict::unexplained:
       break;
   }
   return Judged::unexplained;
 }
 
-using Pictures = std::optional<html::ThreePictures>;
+using Pictures = std::optional<report::html::ThreePictures>;
 
 /// The picture as far as it is judged by its file; what was seen, when it is kept.
 Pictures judge_picture(const std::string& file, const JudgedScene& scene, const JudgeOptions& options,
@@ -97,13 +99,14 @@ Pictures judge_picture(const std::string& file, const JudgedScene& scene, const 
   job.options = options.render;
   job.threads = 1;
   const Camera& camera = scene.scene.camera(asked.camera);
-  result.diagnosis = diagnose(scene.scene, camera, job, *seen, options.tolerance);
+  result.diagnosis = diagnosis::diagnose(scene.scene, camera, job, *seen, options.tolerance);
   result.verdict = verdict_of(result.diagnosis->verdict);
   const std::string left = result.message.empty() ? "" : "not looked at: " + result.message;
-  const std::string summary = summary_of(*result.diagnosis);
+  const std::string summary = diagnosis::summary_of(*result.diagnosis);
   result.message = summary + (summary.empty() || left.empty() ? "" : "; ") + left;
   if (!options.keeps_pictures) return {};
-  return pictures_of(render(OwnTracer::engine, scene.scene, camera, job), *seen, result.diagnosis->encoding);
+  return pictures_of(renderers::render(renderers::OwnTracer::engine, scene.scene, camera, job), *seen,
+                     result.diagnosis->encoding);
 }
 
 /// What was seen, when it is kept.
@@ -113,7 +116,7 @@ Pictures judge_one(const Submission& submission, const JudgedScene& scene, const
     throw std::runtime_error(submission.path +
                              ": found a link, which may lead to what is not the submission's, expected a "
                              "file or a directory; put a copy in its place (cp -rL)");
-  const TemporaryDirectory own;
+  const system::TemporaryDirectory own;
   const std::string file = options.command.empty()
                                ? picture_handed_in(submission, scene, options, own.path(), result)
                                : picture_of_run(submission, scene, options, own.path(), result);
@@ -256,4 +259,4 @@ std::vector<JudgedPicture> judge_all(const std::vector<Submission>& submissions,
   return Class(submissions, scenes, options).judged();
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::submissions

@@ -13,7 +13,7 @@
 #include "tracer/format/dialect.hpp"
 #include "tracer/scene/render_options.hpp"
 
-namespace plumb::references {
+namespace plumb::submissions {
 
 class Journal;
 
@@ -62,11 +62,11 @@ struct JudgedPicture {
   std::string submission;
   std::string scene;
   Judged verdict = Judged::not_judged;
-  std::string message;                 ///< one line; empty for a right picture that was looked at in full
-  std::string printed;                 ///< what the program printed
-  double wall_seconds = 0;             ///< of the program
-  std::optional<Diagnosis> diagnosis;  ///< when there was a picture of the right size
-  KeptLine kept;                       ///< with its pictures
+  std::string message;      ///< one line; empty for a right picture that was looked at in full
+  std::string printed;      ///< what the program printed
+  double wall_seconds = 0;  ///< of the program
+  std::optional<diagnosis::Diagnosis> diagnosis;  ///< when there was a picture of the right size
+  KeptLine kept;                                  ///< with its pictures
 };
 
 struct JudgeOptions {
@@ -109,4 +109,4 @@ std::vector<std::string> pictures_of_no_scene(const std::string& directory,
 std::vector<JudgedPicture> judge_all(const std::vector<Submission>& submissions,
                                      const std::vector<JudgedScene>& scenes, const JudgeOptions& options);
 
-}  // namespace plumb::references
+}  // namespace plumb::submissions

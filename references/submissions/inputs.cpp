@@ -10,7 +10,7 @@
 #include "tracer/image/format.hpp"
 #include "tracer/system/installation.hpp"
 
-namespace plumb::references {
+namespace plumb::submissions {
 namespace {
 
 namespace fs = std::filesystem;
@@ -104,4 +104,4 @@ std::vector<std::string> pictures_of_no_scene(const std::string& directory,
   return found;
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::submissions

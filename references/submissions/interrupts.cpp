@@ -11,10 +11,10 @@
 #include "references/system/process.hpp"
 #include "references/system/signal_handlers.hpp"
 
-namespace plumb::references {
+namespace plumb::submissions {
 namespace {
 
-std::optional<SignalHandlers> handlers;
+std::optional<system::SignalHandlers> handlers;
 std::atomic<bool> has_come{false};
 
 void say_it_stops() {
@@ -31,7 +31,7 @@ void on_signal(int number) {
 }  // namespace
 
 Interrupts::Interrupts() {
-  const TemporaryDirectory installs_what_cleans_up;  // which a second signal shall find
+  const system::TemporaryDirectory installs_what_cleans_up;  // which a second signal shall find
   has_come = false;
   handlers.emplace(&on_signal);
 }
@@ -44,4 +44,4 @@ void kill_children() {
   for (const TreeMember& member : usage_below(::getpid()).members) ::kill(member.id, SIGKILL);
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::submissions

@@ -13,7 +13,7 @@
 #include "references/submissions/record.hpp"
 #include "references/system/json.hpp"
 
-namespace plumb::references {
+namespace plumb::submissions {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -97,7 +97,8 @@ std::optional<JudgedPicture> Journal::find(const std::string& key) const {
   const auto line = lines_.find(key);
   if (line == lines_.end()) return std::nullopt;
   try {
-    JudgedPicture picture = picture_of_record(parse_ordered_json(line_at(line->second)).at("picture"));
+    JudgedPicture picture =
+        picture_of_record(system::parse_ordered_json(line_at(line->second)).at("picture"));
     picture.kept = line->second;
     return picture;
   } catch (const std::exception&) {
@@ -106,23 +107,23 @@ std::optional<JudgedPicture> Journal::find(const std::string& key) const {
 }
 
 void Journal::keep(const std::string& key, JudgedPicture& picture,
-                   const std::optional<html::ThreePictures>& pictures) {
+                   const std::optional<report::html::ThreePictures>& pictures) {
   Json json{{"key", key}, {"picture", record_of(picture)}};
   if (pictures) json["pictures"] = {pictures->right, pictures->yours, pictures->difference};
-  const std::string line = json_text_of_any_bytes(json);
+  const std::string line = system::json_text_of_any_bytes(json);
   const std::scoped_lock lock(mutex_);
   const KeptLine kept{size_, line.size()};
   append(line + "\n");
   lines_[key] = picture.kept = kept;
 }
 
-std::optional<html::ThreePictures> Journal::pictures_of(const JudgedPicture& picture) const {
+std::optional<report::html::ThreePictures> Journal::pictures_of(const JudgedPicture& picture) const {
   if (picture.kept.size == 0) return std::nullopt;
   const std::scoped_lock lock(mutex_);
-  const Json line = parse_ordered_json(line_at(picture.kept));
+  const Json line = system::parse_ordered_json(line_at(picture.kept));
   if (!line.contains("pictures")) return std::nullopt;
   const Json& three = line.at("pictures");
-  return html::ThreePictures{three.at(0), three.at(1), three.at(2)};
+  return report::html::ThreePictures{three.at(0), three.at(1), three.at(2)};
 }
 
 void Journal::remove() {
@@ -130,4 +131,4 @@ void Journal::remove() {
     fail(path_, std::string("cannot be removed: ") + std::strerror(errno));
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::submissions

@@ -12,7 +12,7 @@
 #include "references/submissions/grade.hpp"
 #include "tracer/system/descriptor.hpp"
 
-namespace plumb::references {
+namespace plumb::submissions {
 
 /// All functions may be called from several threads at once.
 class Journal {
@@ -31,10 +31,10 @@ class Journal {
   /// Appends the result and its pictures, where there are any, and sets picture.kept. Throws
   /// std::runtime_error; then the file is as it was.
   void keep(const std::string& key, JudgedPicture& picture,
-            const std::optional<html::ThreePictures>& pictures);
+            const std::optional<report::html::ThreePictures>& pictures);
 
   /// The pictures of a result that find() or keep() has seen; nothing when none were kept.
-  std::optional<html::ThreePictures> pictures_of(const JudgedPicture& picture) const;
+  std::optional<report::html::ThreePictures> pictures_of(const JudgedPicture& picture) const;
 
   /// Removes the file, once all is done.
   void remove();
@@ -52,4 +52,4 @@ class Journal {
   mutable std::mutex mutex_;
 };
 
-}  // namespace plumb::references
+}  // namespace plumb::submissions

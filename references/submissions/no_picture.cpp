@@ -7,7 +7,7 @@
 
 #include "references/submissions/shown_text.hpp"
 
-namespace plumb::references {
+namespace plumb::submissions {
 namespace {
 
 namespace fs = std::filesystem;
@@ -88,4 +88,4 @@ std::string why_no_picture(const std::string& printed, const std::vector<std::st
   return "wrote nothing, no file and no picture on standard output; expected " + expected;
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::submissions

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace plumb::references {
+namespace plumb::submissions {
 
 /// Returns the kind of image that begins in what was printed, at its beginning or at that of a line, e.g.
 /// "PPM (P3)"; empty when there is none.
@@ -18,4 +18,4 @@ std::vector<std::string> files_left_in(const std::string& directory, const std::
 std::string why_no_picture(const std::string& printed, const std::vector<std::string>& left,
                            const std::string& expected);
 
-}  // namespace plumb::references
+}  // namespace plumb::submissions

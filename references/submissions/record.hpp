@@ -5,11 +5,11 @@
 
 #include "references/submissions/grade.hpp"
 
-namespace plumb::references {
+namespace plumb::submissions {
 
 nlohmann::ordered_json record_of(const JudgedPicture& picture);
 
 /// Throws std::exception when another version wrote the record.
 JudgedPicture picture_of_record(const nlohmann::ordered_json& record);
 
-}  // namespace plumb::references
+}  // namespace plumb::submissions

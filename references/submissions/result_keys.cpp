@@ -8,7 +8,7 @@
 #include "tracer/format/writer.hpp"
 #include "tracer/text/numbers.hpp"
 
-namespace plumb::references {
+namespace plumb::submissions {
 namespace {
 
 /// Joins texts, each behind its length, so that no two lists give the same text.
@@ -48,7 +48,7 @@ ResultKeys::ResultKeys(const JudgeOptions& options) : options_(options) {
 std::string ResultKeys::state_of_file(const std::string& path) {
   const std::scoped_lock lock(mutex_);
   std::string& state = files_[path];
-  if (state.empty()) state = sha256(fingerprint_of(path, hidden_));
+  if (state.empty()) state = system::sha256(fingerprint_of(path, hidden_));
   return state;
 }
 
@@ -60,7 +60,8 @@ std::string ResultKeys::state_of(const Submission& submission) {
 }
 
 std::string ResultKeys::of(const Submission& submission, const JudgedScene& scene) {
-  return sha256(joined({common_, state_of(submission), scene.name, scene.text, write_scene(scene.scene)}));
+  return system::sha256(
+      joined({common_, state_of(submission), scene.name, scene.text, write_scene(scene.scene)}));
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::submissions

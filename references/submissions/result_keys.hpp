@@ -8,7 +8,7 @@
 
 #include "references/submissions/grade.hpp"
 
-namespace plumb::references {
+namespace plumb::submissions {
 
 /// Its functions may be called from several threads at once.
 class ResultKeys {
@@ -32,4 +32,4 @@ class ResultKeys {
   std::mutex mutex_;
 };
 
-}  // namespace plumb::references
+}  // namespace plumb::submissions

@@ -21,7 +21,7 @@
 #include "tracer/image/format.hpp"
 #include "tracer/system/files.hpp"
 
-namespace plumb::references {
+namespace plumb::submissions {
 namespace {
 
 namespace fs = std::filesystem;
@@ -251,7 +251,7 @@ void require_confined_runs(const Submission& submission, const JudgeOptions& opt
 std::string picture_of_run(const Submission& submission, const JudgedScene& scene,
                            const JudgeOptions& options, const std::string& own_directory,
                            JudgedPicture& result) {
-  const TemporaryDirectory work;
+  const system::TemporaryDirectory work;
   const std::string inside = std::string(sandbox_directory) + "/" + scene.name;
   const std::string scene_file = scene.name + ".sdf";
   write_file(work.path() + "/" + scene_file, scene.text);
@@ -330,4 +330,4 @@ std::vector<std::string> hidden_from_runs(const JudgeOptions& options) {
   return hidden;
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::submissions

@@ -6,7 +6,7 @@
 
 #include "references/submissions/grade.hpp"
 
-namespace plumb::references {
+namespace plumb::submissions {
 
 /// Returns the extensions by which a picture that is handed in is known, in lower case and in upper case.
 std::vector<std::string> picture_extensions();
@@ -31,4 +31,4 @@ std::vector<std::string> files_of_command(const JudgeOptions& options);
 /// Returns what no run sees in there: submissions, except its own, and the results of this and earlier runs.
 std::vector<std::string> hidden_from_runs(const JudgeOptions& options);
 
-}  // namespace plumb::references
+}  // namespace plumb::submissions

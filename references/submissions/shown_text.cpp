@@ -4,8 +4,8 @@
 
 #include "references/system/json.hpp"
 
-namespace plumb::references {
-std::string shown_text(const std::string& bytes) { return valid_utf8(bytes); }
+namespace plumb::submissions {
+std::string shown_text(const std::string& bytes) { return system::valid_utf8(bytes); }
 
 std::string shown_name(const std::string& bytes) {
   if (shown_text(bytes) == bytes && bytes.find("\\x") == std::string::npos) return bytes;
@@ -27,4 +27,4 @@ std::string printable(std::string text) {
   return text;
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::submissions

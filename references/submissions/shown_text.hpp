@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace plumb::references {
+namespace plumb::submissions {
 
 /// Returns a file's name as valid UTF-8; two names are never shown alike. In a name that is not UTF-8, or
 /// that holds "\x" itself, each backslash and each byte beyond ASCII is written \xNN.
@@ -15,4 +15,4 @@ std::string shown_text(const std::string& bytes);
 /// Returns the text with ? for each byte that a terminal would obey.
 std::string printable(std::string text);
 
-}  // namespace plumb::references
+}  // namespace plumb::submissions

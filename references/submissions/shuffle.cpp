@@ -9,7 +9,7 @@
 #include "tracer/format/reader.hpp"
 #include "tracer/system/in_parallel.hpp"
 
-namespace plumb::references {
+namespace plumb::submissions {
 namespace {
 
 constexpr int most_tries = 40;
@@ -23,10 +23,10 @@ class Shown {
 
   const teaching::Handed& right() const { return right_; }
   bool shows(std::size_t fault) const {
-    return teaching::are_told_apart(right_, teaching::handed(lesson_, {&fault_catalogue()[fault]}));
+    return teaching::are_told_apart(right_, teaching::handed(lesson_, {&faults::fault_catalogue()[fault]}));
   }
   std::vector<char> faults() const {
-    std::vector<char> shown(fault_catalogue().size());
+    std::vector<char> shown(faults::fault_catalogue().size());
     in_parallel(shown.size(), processors(), [&](std::size_t i) { shown[i] = shows(i) ? 1 : 0; });
     return shown;
   }
@@ -90,4 +90,4 @@ std::optional<JudgedScene> shuffled(const JudgedScene& scene, std::uint64_t seed
   return std::nullopt;
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::submissions

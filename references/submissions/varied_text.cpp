@@ -10,7 +10,7 @@
 #include "tracer/format/lexer.hpp"
 #include "tracer/text/numbers.hpp"
 
-namespace plumb::references {
+namespace plumb::submissions {
 namespace {
 
 /// The share of a radius, because shadows and highlights then move by some pixels of a small picture, and
@@ -243,4 +243,4 @@ std::string varied_text(std::string_view text, const Scene& scene, const Variati
   return all;
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::submissions

@@ -10,7 +10,7 @@
 
 #include "tracer/scene/scene.hpp"
 
-namespace plumb::references {
+namespace plumb::submissions {
 
 /// How much is varied.
 struct Variation {
@@ -26,4 +26,4 @@ struct Variation {
 /// one of them. Comments go, because they may name the scene. `scene` is what the text was read as.
 std::string varied_text(std::string_view text, const Scene& scene, const Variation& variation);
 
-}  // namespace plumb::references
+}  // namespace plumb::submissions

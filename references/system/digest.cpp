@@ -5,7 +5,7 @@
 #include <array>
 #include <cstdint>
 
-namespace plumb::references {
+namespace plumb::system {
 
 std::string sha256(std::string_view bytes) {
   std::array<char, SHA256_DIGEST_STRING_LENGTH> text{};
@@ -17,4 +17,4 @@ std::string sha256(const std::vector<float>& values) {
   return sha256({reinterpret_cast<const char*>(values.data()), values.size() * sizeof(float)});
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::system

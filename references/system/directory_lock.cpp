@@ -7,7 +7,7 @@
 #include <cstring>
 #include <stdexcept>
 
-namespace plumb::references {
+namespace plumb::system {
 
 DirectoryLock::DirectoryLock(const std::string& directory)
     : descriptor_(::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
@@ -18,4 +18,4 @@ DirectoryLock::DirectoryLock(const std::string& directory)
   if (result < 0) throw std::runtime_error(directory + ": cannot be locked: " + std::strerror(errno));
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::system

@@ -5,7 +5,7 @@
 
 #include "tracer/system/descriptor.hpp"
 
-namespace plumb::references {
+namespace plumb::system {
 
 /// Holds the lock until the end of its scope, or of the process.
 class DirectoryLock {
@@ -17,4 +17,4 @@ class DirectoryLock {
   Descriptor descriptor_;
 };
 
-}  // namespace plumb::references
+}  // namespace plumb::system

@@ -2,7 +2,7 @@
 
 #include <atomic>
 
-namespace plumb::references {
+namespace plumb::system {
 namespace {
 
 std::array<std::atomic<bool>, ending_signals.size()> has_come;
@@ -25,4 +25,4 @@ HeldSignals::~HeldSignals() {
     if (has_come.at(i)) ::raise(ending_signals.at(i));
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::system

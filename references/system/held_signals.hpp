@@ -5,7 +5,7 @@
 
 #include "references/system/signal_handlers.hpp"
 
-namespace plumb::references {
+namespace plumb::system {
 
 /// While it lives, SIGINT, SIGTERM and SIGHUP are only remembered, whichever thread they reach. At the end of
 /// its scope they act as they would have before. Only one may live at a time, and only for moments.
@@ -20,4 +20,4 @@ class HeldSignals {
   std::optional<SignalHandlers> handlers_;
 };
 
-}  // namespace plumb::references
+}  // namespace plumb::system

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace plumb::references {
+namespace plumb::system {
 namespace {
 
 template <class Json>
@@ -29,4 +29,4 @@ std::string valid_utf8(const std::string& text) {
   return nlohmann::json::parse(replacing(nlohmann::json(text), -1)).get<std::string>();
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::system

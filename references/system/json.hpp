@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace plumb::references {
+namespace plumb::system {
 
 /// Parse a complete text. Throw nlohmann::json::parse_error.
 nlohmann::ordered_json parse_ordered_json(std::string_view text);
@@ -23,4 +23,4 @@ std::string json_text_of_any_bytes(const nlohmann::json& json, int indent = -1);
 /// Returns the text with U+FFFD for what is not UTF-8.
 std::string valid_utf8(const std::string& text);
 
-}  // namespace plumb::references
+}  // namespace plumb::system

@@ -20,7 +20,7 @@
 
 #include "tracer/system/leftovers.hpp"
 
-namespace plumb::references {
+namespace plumb::system {
 namespace {
 
 constexpr std::size_t longest_output = std::size_t{1} << 20;
@@ -158,4 +158,4 @@ std::string find_program(const std::string& name) {
   return {};
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::system

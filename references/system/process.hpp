@@ -9,7 +9,7 @@
 #include "tracer/system/cleanup.hpp"
 #include "tracer/system/descriptor.hpp"
 
-namespace plumb::references {
+namespace plumb::system {
 
 struct ProcessLimits {
   double seconds = 600;  ///< of wall time; then the process group is killed
@@ -55,4 +55,4 @@ ProcessResult run_process(const std::vector<std::string>& command, const std::st
 /// Returns the absolute path of a program on PATH, or an empty text.
 std::string find_program(const std::string& name);
 
-}  // namespace plumb::references
+}  // namespace plumb::system

@@ -1,6 +1,6 @@
 #include "references/system/signal_handlers.hpp"
 
-namespace plumb::references {
+namespace plumb::system {
 
 SignalHandlers::SignalHandlers(void (*handler)(int)) {
   struct sigaction action {};
@@ -21,4 +21,4 @@ void SignalHandlers::restore(int number) const {
     if (ending_signals.at(i) == number) ::sigaction(number, &before_.at(i), nullptr);
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::system

@@ -4,7 +4,7 @@
 #include <array>
 #include <csignal>
 
-namespace plumb::references {
+namespace plumb::system {
 
 /// The signals that a person or a terminal ends a program by.
 inline constexpr std::array ending_signals{SIGINT, SIGTERM, SIGHUP};
@@ -25,4 +25,4 @@ class SignalHandlers {
   std::array<struct sigaction, ending_signals.size()> before_;
 };
 
-}  // namespace plumb::references
+}  // namespace plumb::system

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <set>
 
-namespace plumb::references::teaching {
+namespace plumb::teaching {
 namespace {
 
 /// The limit, because so many take a second, and a teaching set is then as good as proven.
@@ -132,4 +132,4 @@ TeachingSet teaching_set(const Matrix& matrix) {
   return {proven ? *proven : greedy_hitting_set(wishes), proven.has_value(), pairs_left(matrix, all)};
 }
 
-}  // namespace plumb::references::teaching
+}  // namespace plumb::teaching

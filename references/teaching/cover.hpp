@@ -7,7 +7,7 @@
 
 #include "references/teaching/matrix.hpp"
 
-namespace plumb::references::teaching {
+namespace plumb::teaching {
 
 /// They are ascending.
 using Indices = std::vector<std::size_t>;
@@ -39,4 +39,4 @@ struct TeachingSet {
 
 TeachingSet teaching_set(const Matrix& matrix);
 
-}  // namespace plumb::references::teaching
+}  // namespace plumb::teaching

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace plumb::references::teaching {
+namespace plumb::teaching {
 namespace {
 
 std::string padded(std::string_view text, std::size_t width) {
@@ -19,7 +19,7 @@ std::string row_of(std::string_view name, std::size_t width, const std::string& 
 
 std::size_t widest_id() {
   std::size_t width = 0;
-  for (const Fault& fault : fault_catalogue()) width = std::max(width, fault.id.size());
+  for (const faults::Fault& fault : faults::fault_catalogue()) width = std::max(width, fault.id.size());
   return width;
 }
 
@@ -33,10 +33,10 @@ std::string matrix_rows(const Matrix& matrix) {
   }
   const std::size_t width = widest_id();
   std::string text = row_of("", width, tens) + row_of("", width, units);
-  for (std::size_t fault = 0; fault < fault_catalogue().size(); ++fault) {
+  for (std::size_t fault = 0; fault < faults::fault_catalogue().size(); ++fault) {
     std::string cells;
     for (std::size_t i = 0; i < scenes; ++i) cells += matrix.shows(i, fault) ? '#' : '.';
-    text += row_of(fault_catalogue()[fault].id, width, cells);
+    text += row_of(faults::fault_catalogue()[fault].id, width, cells);
   }
   return text;
 }
@@ -45,7 +45,8 @@ std::string scene_table(const Matrix& matrix) {
   std::string text = "| | scene | faults seen |\n|---|---|---|\n";
   for (std::size_t i = 0; i < matrix.scenes().size(); ++i) {
     std::size_t seen = 0;
-    for (std::size_t fault = 0; fault < fault_catalogue().size(); ++fault) seen += matrix.shows(i, fault);
+    for (std::size_t fault = 0; fault < faults::fault_catalogue().size(); ++fault)
+      seen += matrix.shows(i, fault);
     text += "| " + std::to_string(i + 1) + " | [" + matrix.scenes()[i] + "](" + matrix.scenes()[i] + ") | " +
             std::to_string(seen) + " |\n";
   }
@@ -54,7 +55,7 @@ std::string scene_table(const Matrix& matrix) {
 
 std::string set_text(const Matrix& matrix, const TeachingSet& set) {
   std::string text = std::to_string(set.scenes.size()) + " scenes tell all " +
-                     std::to_string(fault_catalogue().size()) +
+                     std::to_string(faults::fault_catalogue().size()) +
                      " faults apart, from each other and from the "
                      "right picture" +
                      (set.left.empty() ? "" : ", but for the pairs below") + "; " +
@@ -70,7 +71,7 @@ std::string set_text(const Matrix& matrix, const TeachingSet& set) {
 }  // namespace
 
 std::string picture_name(std::size_t picture) {
-  return picture == 0 ? "the right picture" : std::string(fault_catalogue()[picture - 1].id);
+  return picture == 0 ? "the right picture" : std::string(faults::fault_catalogue()[picture - 1].id);
 }
 
 std::string markdown_of(const Matrix& matrix, const TeachingSet& set) {
@@ -89,4 +90,4 @@ std::string markdown_of(const Matrix& matrix, const TeachingSet& set) {
          matrix_rows(matrix) + "```\n\n## The scenes\n\n" + scene_table(matrix);
 }
 
-}  // namespace plumb::references::teaching
+}  // namespace plumb::teaching

@@ -5,7 +5,7 @@
 
 #include "references/teaching/cover.hpp"
 
-namespace plumb::references::teaching {
+namespace plumb::teaching {
 
 /// Returns "the right picture", or the fault's id. Pictures are numbered as in Matrix.
 std::string picture_name(std::size_t picture);
@@ -14,4 +14,4 @@ std::string picture_name(std::size_t picture);
 /// scene.
 std::string markdown_of(const Matrix& matrix, const TeachingSet& set);
 
-}  // namespace plumb::references::teaching
+}  // namespace plumb::teaching

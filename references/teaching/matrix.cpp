@@ -10,7 +10,7 @@
 #include "tracer/image/encode.hpp"
 #include "tracer/system/in_parallel.hpp"
 
-namespace plumb::references::teaching {
+namespace plumb::teaching {
 namespace {
 
 /// Levels count as close up to this, because float and double may fall on either side of a level, and an
@@ -34,9 +34,9 @@ std::size_t pixels_apart(const Handed& a, const Handed& b, std::size_t most) {
 
 /// The right picture, then one for each fault.
 std::vector<Handed> pictures_of(const Lesson& lesson) {
-  std::vector<Handed> pictures(fault_catalogue().size() + 1);
+  std::vector<Handed> pictures(faults::fault_catalogue().size() + 1);
   in_parallel(pictures.size(), processors(), [&](std::size_t i) {
-    pictures[i] = i == 0 ? handed(lesson, {}) : handed(lesson, {&fault_catalogue()[i - 1]});
+    pictures[i] = i == 0 ? handed(lesson, {}) : handed(lesson, {&faults::fault_catalogue()[i - 1]});
   });
   return pictures;
 }
@@ -66,7 +66,7 @@ std::vector<Lesson> lessons_in(const std::string& directory) {
   return lessons;
 }
 
-Handed handed(const Lesson& lesson, const std::vector<const Fault*>& faults) {
+Handed handed(const Lesson& lesson, const std::vector<const faults::Fault*>& faults) {
   textbook::RenderJob job;
   job.width = matrix_width;
   job.height = matrix_height;
@@ -78,7 +78,7 @@ Handed handed(const Lesson& lesson, const std::vector<const Fault*>& faults) {
   textbook::Work work(0);  // counted, never over: each pixel has its own limit, so that endless mirrors end
   Image image(job.width, job.height);
   try {
-    image.rgb = colours_with(lesson.scene, camera, job, faults, places, work);
+    image.rgb = faults::colours_with(lesson.scene, camera, job, faults, places, work);
   } catch (const std::runtime_error&) {
     return {};
   }
@@ -92,7 +92,7 @@ std::size_t difference(const Handed& a, const Handed& b) {
 bool are_told_apart(const Handed& a, const Handed& b) { return pixels_apart(a, b, enough) > enough; }
 
 Matrix::Matrix(const std::vector<Lesson>& lessons, const std::function<void(double)>& progress)
-    : pictures_(fault_catalogue().size() + 1) {
+    : pictures_(faults::fault_catalogue().size() + 1) {
   for (const Lesson& lesson : lessons) {
     scenes_.push_back(lesson.name);
     apart_.push_back(pairs_told_apart(pictures_of(lesson)));
@@ -100,4 +100,4 @@ Matrix::Matrix(const std::vector<Lesson>& lessons, const std::function<void(doub
   }
 }
 
-}  // namespace plumb::references::teaching
+}  // namespace plumb::teaching

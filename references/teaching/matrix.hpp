@@ -8,7 +8,7 @@
 
 #include "references/faults/fault.hpp"
 
-namespace plumb::references::teaching {
+namespace plumb::teaching {
 
 /// A scene that a student may be given.
 struct Lesson {
@@ -29,7 +29,7 @@ inline constexpr int matrix_height = 48;
 
 /// Renders with these faults at once, through the scene's own camera. A pixel of more than
 /// `most_rays_of_pixel` rays is black.
-Handed handed(const Lesson& lesson, const std::vector<const Fault*>& faults);
+Handed handed(const Lesson& lesson, const std::vector<const faults::Fault*>& faults);
 
 /// Returns the number of pixels with a component that is more than 2 levels away; all where one is empty.
 std::size_t difference(const Handed& a, const Handed& b);
@@ -56,4 +56,4 @@ class Matrix {
   std::vector<std::vector<bool>> apart_;  // for each scene, pictures x pictures
 };
 
-}  // namespace plumb::references::teaching
+}  // namespace plumb::teaching

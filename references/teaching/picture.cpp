@@ -7,7 +7,7 @@
 #include "references/report/html/packing.hpp"
 #include "tracer/image/encode.hpp"
 
-namespace plumb::references::teaching {
+namespace plumb::teaching {
 namespace {
 
 unsigned char byte_of(float level) {
@@ -30,7 +30,7 @@ Picture picture_of(const ImageFile& image) {
   return picture;
 }
 
-Picture picture_of(const Image& image, const OutputEncoding& encoding) {
+Picture picture_of(const Image& image, const diagnosis::OutputEncoding& encoding) {
   Picture picture{image.width, image.height, {}};
   for (std::size_t i = 0; i < image.rgb.size(); ++i)
     picture.levels.push_back(byte_of(encoding.level(image.rgb[i], i % 3) + 0.5F));
@@ -41,13 +41,15 @@ Picture difference_of(const Picture& a, const Picture& b) {
   Picture difference{a.width, a.height, {}};
   for (std::size_t i = 0; i < a.levels.size(); ++i)
     difference.levels.push_back(static_cast<unsigned char>(
-        std::min(255, html::difference_gain * std::abs(int{a.levels[i]} - int{b.levels[i]}))));
+        std::min(255, report::html::difference_gain * std::abs(int{a.levels[i]} - int{b.levels[i]}))));
   return difference;
 }
 
-html::ThreePictures three_pictures(const Picture& right, const Picture& yours) {
-  const auto packed = [](const Picture& p) { return base64(png(p.width, p.height, 3, p.levels)); };
+report::html::ThreePictures three_pictures(const Picture& right, const Picture& yours) {
+  const auto packed = [](const Picture& p) {
+    return report::base64(report::png(p.width, p.height, 3, p.levels));
+  };
   return {packed(right), packed(yours), packed(difference_of(right, yours))};
 }
 
-}  // namespace plumb::references::teaching
+}  // namespace plumb::teaching

@@ -8,7 +8,7 @@
 #include "tracer/image/image.hpp"
 #include "tracer/image/image_file.hpp"
 
-namespace plumb::references::teaching {
+namespace plumb::teaching {
 
 /// 8-bit r g b, interleaved, row 0 on top.
 struct Picture {
@@ -24,12 +24,12 @@ Picture picture_of(const Image& image);
 Picture picture_of(const ImageFile& image);
 
 /// As a tracer with that encoding would have written it; floats are clamped.
-Picture picture_of(const Image& image, const OutputEncoding& encoding);
+Picture picture_of(const Image& image, const diagnosis::OutputEncoding& encoding);
 
-/// Where two pictures of one size differ: black where they agree, brighter by html::difference_gain.
+/// Where two pictures of one size differ: black where they agree, brighter by report::html::difference_gain.
 Picture difference_of(const Picture& a, const Picture& b);
 
 /// The two of one size, and difference_of them, as the pages show them.
-html::ThreePictures three_pictures(const Picture& right, const Picture& yours);
+report::html::ThreePictures three_pictures(const Picture& right, const Picture& yours);
 
-}  // namespace plumb::references::teaching
+}  // namespace plumb::teaching

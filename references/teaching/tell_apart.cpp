@@ -4,7 +4,7 @@
 #include <compare>
 #include <utility>
 
-namespace plumb::references::teaching {
+namespace plumb::teaching {
 namespace {
 
 /// Compared in this order.
@@ -14,10 +14,10 @@ struct Merit {
   auto operator<=>(const Merit&) const = default;
 };
 
-Merit merit_of(const Lesson& lesson, const std::vector<const Fault*>& faults) {
+Merit merit_of(const Lesson& lesson, const std::vector<const faults::Fault*>& faults) {
   std::vector<Handed> pictures;
   Merit merit;
-  for (const Fault* fault : faults) {
+  for (const faults::Fault* fault : faults) {
     Handed picture = handed(lesson, {fault});
     for (const Handed& other : pictures) {
       if (!are_told_apart(picture, other)) continue;
@@ -32,7 +32,7 @@ Merit merit_of(const Lesson& lesson, const std::vector<const Fault*>& faults) {
 }  // namespace
 
 std::optional<std::string> scene_that_tells_apart(const std::vector<Lesson>& lessons,
-                                                  const std::vector<const Fault*>& faults) {
+                                                  const std::vector<const faults::Fault*>& faults) {
   std::optional<std::string> best;
   Merit most;
   for (const Lesson& lesson : lessons) {
@@ -44,4 +44,4 @@ std::optional<std::string> scene_that_tells_apart(const std::vector<Lesson>& les
   return best;
 }
 
-}  // namespace plumb::references::teaching
+}  // namespace plumb::teaching

@@ -9,7 +9,7 @@
 #include "references/comparison/comparison.hpp"
 #include "tracer/scene/scene.hpp"
 
-namespace plumb::references {
+namespace plumb::truth {
 
 /// Returns the largest difference of a component, relative above 1, as plumb verify judges it; infinite when
 /// a component is not finite.
@@ -32,4 +32,4 @@ struct ErrorFigures {
   double largest() const { return std::max(against_oracle, against_double.value_or(0)); }
 };
 
-}  // namespace plumb::references
+}  // namespace plumb::truth

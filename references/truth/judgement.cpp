@@ -7,7 +7,7 @@
 
 #include "references/comparison/comparison.hpp"
 
-namespace plumb::references {
+namespace plumb::truth {
 namespace {
 
 /// Whether each side is wrong.
@@ -29,7 +29,7 @@ struct Wrong {
 
 class PixelJudge {
  public:
-  PixelJudge(const AttributionJob& job, double most_work)
+  PixelJudge(const attribution::AttributionJob& job, double most_work)
       : job_(job), work_(most_work), oracle_(job.shot, work_) {}
 
   bool is_out_of_work() const { return work_.is_over(); }
@@ -85,7 +85,7 @@ class PixelJudge {
                       job_.tolerance);
   }
 
-  const AttributionJob& job_;
+  const attribution::AttributionJob& job_;
   mutable textbook::Work work_;
   Oracle oracle_;
 };
@@ -111,34 +111,35 @@ std::size_t Judgement::count(Verdict verdict) const {
                                                 [&](const JudgedPixel& p) { return p.verdict == verdict; }));
 }
 
-void reconcile(const Judgement& judgement, Budget& budget) {
+void reconcile(const Judgement& judgement, attribution::Budget& budget) {
   std::map<std::pair<int, int>, Verdict> verdicts;
   for (const JudgedPixel& p : judgement.pixels) verdicts.emplace(std::pair(p.x, p.y), p.verdict);
-  for (AttributedPixel& p : budget.pixels) {
+  for (attribution::AttributedPixel& p : budget.pixels) {
     const auto verdict = verdicts.find({p.x, p.y});
     if (verdict == verdicts.end() || verdict->second == Verdict::reference_wrong) continue;
     if (verdict->second != Verdict::undecided)
-      p.cause = Cause::unexplained;
-    else if (p.cause == Cause::unexplained)
-      p.cause = Cause::undecided;
+      p.cause = attribution::Cause::unexplained;
+    else if (p.cause == attribution::Cause::unexplained)
+      p.cause = attribution::Cause::undecided;
   }
-  budget.unexamined = std::min(budget.unexamined, budget.count(Cause::unexplained));
+  budget.unexamined = std::min(budget.unexamined, budget.count(attribution::Cause::unexplained));
 }
 
-void settle_undecided(const AttributionJob& job, Budget& budget) {
-  const std::size_t left = budget.count(Cause::unexplained);
+void settle_undecided(const attribution::AttributionJob& job, attribution::Budget& budget) {
+  const std::size_t left = budget.count(attribution::Cause::unexplained);
   const std::size_t pixels = job.test.rgb.size() / 3;
   if (job.resolution.is_of_plumb || left == 0 || 100 * left > pixels) return;
   const PixelJudge judge(job, most_work_of_judgement);
-  for (AttributedPixel& p : budget.pixels) {
-    if (p.cause == Cause::unexplained && judge.leaves_open({p.x, p.y})) p.cause = Cause::undecided;
+  for (attribution::AttributedPixel& p : budget.pixels) {
+    if (p.cause == attribution::Cause::unexplained && judge.leaves_open({p.x, p.y}))
+      p.cause = attribution::Cause::undecided;
   }
-  budget.unexamined = std::min(budget.unexamined, budget.count(Cause::unexplained));
+  budget.unexamined = std::min(budget.unexamined, budget.count(attribution::Cause::unexplained));
 }
 
-Judgement judge_pixels(const AttributionJob& job, double most_work) {
+Judgement judge_pixels(const attribution::AttributionJob& job, double most_work) {
   Judgement judgement;
-  const std::vector<PixelPlace> over = pixels_over(job.reference, job.test, job.tolerance);
+  const std::vector<PixelPlace> over = comparison::pixels_over(job.reference, job.test, job.tolerance);
   if (over.empty()) return judgement;
   const PixelJudge judge(job, most_work);
   for (const PixelPlace& p : over) {
@@ -150,4 +151,4 @@ Judgement judge_pixels(const AttributionJob& job, double most_work) {
   return judgement;
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::truth

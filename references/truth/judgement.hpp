@@ -9,7 +9,7 @@
 #include "references/attribution/attribution.hpp"
 #include "references/truth/oracle.hpp"
 
-namespace plumb::references {
+namespace plumb::truth {
 
 /// The verdict on a pixel that is over the tolerance. A side is wrong when its value is not finite, or not
 /// within the tolerance of any answer that the scene leaves open (see Oracle).
@@ -30,8 +30,8 @@ struct JudgedPixel {
   int x;
   int y;
   Verdict verdict;
-  Colour ours;
-  Colour reference;
+  attribution::Colour ours;
+  attribution::Colour reference;
   Rgbd oracle;  ///< for the scene as it is written
 };
 
@@ -49,15 +49,15 @@ inline constexpr double most_work_of_judgement = 1e9;
 /// Changes the budget so that no two outputs contradict each other. A pixel at which our side is wrong is no
 /// matter of chance, whatever proof the budget has, and becomes unexplained. An unexplained one that is
 /// undecided becomes undecided there, too.
-void reconcile(const Judgement& judgement, Budget& budget);
+void reconcile(const Judgement& judgement, attribution::Budget& budget);
 
 /// Looks at the pixels without a cause if they are few, at most as many as may be unverified. Those become
 /// undecided at which the scene has answers (see Oracle) that are farther apart than the tolerance, and that
 /// allow both values. Against a baseline that is no excuse.
-void settle_undecided(const AttributionJob& job, Budget& budget);
+void settle_undecided(const attribution::AttributionJob& job, attribution::Budget& budget);
 
 /// Judges every pixel over the tolerance, row by row, until the work is done. `job.work` and `job.holds`
 /// are not used: a value that was rounded or clamped is wrong like any other.
-Judgement judge_pixels(const AttributionJob& job, double most_work = most_work_of_judgement);
+Judgement judge_pixels(const attribution::AttributionJob& job, double most_work = most_work_of_judgement);
 
-}  // namespace plumb::references
+}  // namespace plumb::truth

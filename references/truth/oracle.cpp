@@ -13,7 +13,7 @@
 #include "references/comparison/comparison.hpp"
 #include "tracer/scene/dielectrics.hpp"
 
-namespace plumb::references {
+namespace plumb::truth {
 namespace {
 
 /// Of a number's size: what a few correct roundings leave open.
@@ -127,7 +127,7 @@ bool eye_is_on_glass(const Scene& scene, const Camera& camera) {
 }  // namespace
 
 Scene with_other_last_digits(const Scene& scene, int pattern) {
-  Scene moved = keeps_equals(pattern) ? scene : with_instances_apart(scene);
+  Scene moved = keeps_equals(pattern) ? scene : attribution::with_instances_apart(scene);
   Mover mover(pattern, static_cast<std::uint32_t>(pattern) + 1);
   for (Shape& shape : moved.shapes) {
     std::visit(mover, shape.geometry);
@@ -149,21 +149,22 @@ Camera with_other_last_digits(const Camera& camera, int pattern) {
   return moved;
 }
 
-Colour to_colour(const Rgb<Quad>& c) {
+attribution::Colour to_colour(const Rgb<Quad>& c) {
   return {static_cast<float>(c.x), static_cast<float>(c.y), static_cast<float>(c.z)};
 }
 
 bool Answers::is_decided(double tolerance) const {
-  return is_within(least.data(), most.data(), tolerance) && is_within(most.data(), least.data(), tolerance);
+  return comparison::is_within(least.data(), most.data(), tolerance) &&
+         comparison::is_within(most.data(), least.data(), tolerance);
 }
 
 bool Answers::allow(const float* value, double tolerance) const {
-  Colour nearest{};
+  attribution::Colour nearest{};
   for (std::size_t c = 0; c < nearest.size(); ++c) nearest[c] = std::clamp(value[c], least[c], most[c]);
-  return is_within(nearest.data(), value, tolerance);
+  return comparison::is_within(nearest.data(), value, tolerance);
 }
 
-void Answers::include(const Colour& colour) {
+void Answers::include(const attribution::Colour& colour) {
   for (std::size_t c = 0; c < colour.size(); ++c) {
     least[c] = std::min(least[c], colour[c]);
     most[c] = std::max(most[c], colour[c]);
@@ -244,4 +245,4 @@ std::optional<Answers> Oracle::answers(int x, int y) const {
   return answers;
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::truth

@@ -9,7 +9,7 @@
 #include "tracer/formulas/quad.hpp"
 #include "tracer/scene/shot.hpp"
 
-namespace plumb::references {
+namespace plumb::truth {
 
 /// Returns the scene with each number written otherwise in its last digits. Every position, corner, radius
 /// and translation moves by 4 * 2^-53 of the largest number beside it (of its vector, and of its radius or of
@@ -24,13 +24,13 @@ Camera with_other_last_digits(const Camera& camera, int pattern);
 
 /// The bounds, by components, of all colours that the scene's numbers leave open, as pictures hold them.
 struct Answers {
-  Colour least;
-  Colour most;
+  attribution::Colour least;
+  attribution::Colour most;
   /// True if the scene allows no two answers that are farther apart than the tolerance of compare().
   bool is_decided(double tolerance) const;
   /// True if the value is within the tolerance of one of them.
   bool allow(const float* value, double tolerance) const;
-  void include(const Colour& colour);
+  void include(const attribution::Colour& colour);
 };
 
 /// One scene seen by one camera: the textbook tracer in Quad, whose roundings are 2^60 times as small as
@@ -103,6 +103,6 @@ class Oracle {
 };
 
 /// Returns the colour, rounded as pictures hold it.
-Colour to_colour(const Rgb<Quad>& colour);
+attribution::Colour to_colour(const Rgb<Quad>& colour);
 
-}  // namespace plumb::references
+}  // namespace plumb::truth

@@ -11,7 +11,7 @@
 #include "tracer/textbook/rows.hpp"
 #include "tracer/textbook/tracer.hpp"
 
-namespace plumb::references {
+namespace plumb::truth {
 namespace {
 
 using Formulas = textbook::LectureFormulas<Quad>;
@@ -87,4 +87,4 @@ std::vector<PixelPlace> most_different(const Image& a, const Image& b, std::size
   return places;
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::truth

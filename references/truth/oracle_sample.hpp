@@ -8,7 +8,7 @@
 #include "tracer/scene/scene.hpp"
 #include "tracer/textbook/sampled_pixels.hpp"
 
-namespace plumb::references {
+namespace plumb::truth {
 
 struct OraclePixel {
   PixelPlace place;
@@ -28,4 +28,4 @@ OracleSample ask_oracle(const Scene& scene, const Camera& camera, const RenderJo
 /// Returns the pixels in which two pictures of one size differ most, the worst first; at most `most`.
 std::vector<PixelPlace> most_different(const Image& a, const Image& b, std::size_t most);
 
-}  // namespace plumb::references
+}  // namespace plumb::truth

@@ -10,8 +10,8 @@
 namespace {
 
 using plumb::Image;
-using plumb::references::ReportEntry;
-using plumb::references::ReportWriter;
+using plumb::report::ReportEntry;
+using plumb::report::ReportWriter;
 
 std::shared_ptr<Image> filled(int width, int height, float r, float g, float b) {
   auto image = std::make_shared<Image>(width, height);

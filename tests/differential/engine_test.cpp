@@ -35,12 +35,12 @@ RenderJob small(const RenderOptions& options) {
 /// because they evaluate the same formulas in double; what differs by more must be a tie.
 std::size_t unexplained(const Scene& scene, const Camera& camera, const RenderJob& job, const Image& engine) {
   const Image textbook = textbook::render(scene, camera, job);
-  return references::attribute({{scene, camera, job.width, job.height, job.options},
-                                textbook,
-                                engine,
-                                1e-6,
-                                references::own_resolution()})
-      .count(references::Cause::unexplained);
+  return attribution::attribute({{scene, camera, job.width, job.height, job.options},
+                                 textbook,
+                                 engine,
+                                 1e-6,
+                                 renderers::own_resolution()})
+      .count(attribution::Cause::unexplained);
 }
 
 int seeds(int usual) {
@@ -134,7 +134,7 @@ TEST(Engine, FloatIsGoodToItsLastDigitsOnSmallSpheres) {
   job.real = RealType::float32;
   const Image image = engine::render(read.scene, read.scene.camera("eye"), job);
   // Because a float has 24 bits and the hit's place is known to an ulp of its distance, 2500 radii.
-  EXPECT_LE(references::compare(image, right, 2500 * 0x1p-23).pixels_over, 4U) << "beyond the silhouette";
+  EXPECT_LE(comparison::compare(image, right, 2500 * 0x1p-23).pixels_over, 4U) << "beyond the silhouette";
   EXPECT_GT(*std::max_element(right.rgb.begin(), right.rgb.end()), 0.5F) << "nothing is seen";
 }
 
@@ -158,7 +158,7 @@ define shape composite one big small
   job.width = 96;
   job.height = 72;
   const Image expected = textbook::render(single, single.cameras.front(), job);
-  const auto over = [&](const Image& image) { return references::pixels_over(expected, image, 1e-6).size(); };
+  const auto over = [&](const Image& image) { return comparison::pixels_over(expected, image, 1e-6).size(); };
   EXPECT_EQ(over(textbook::render(twice, twice.cameras.front(), job)), 0U);
   EXPECT_EQ(over(engine::render(single, single.cameras.front(), job)), 0U);
   EXPECT_EQ(over(engine::render(twice, twice.cameras.front(), job)), 0U);

@@ -12,9 +12,9 @@
 namespace plumb::tests {
 namespace {
 
-using references::Judgement;
-using references::OwnTracer;
-using references::Verdict;
+using renderers::OwnTracer;
+using truth::Judgement;
+using truth::Verdict;
 
 /// PLUMB_JUDGED_SCENES says how many, PLUMB_JUDGED_WIDTH how large; three quarters as high.
 TEST(JudgedScenes, OursIsNowhereWrong) {
@@ -32,20 +32,20 @@ TEST(JudgedScenes, OursIsNowhereWrong) {
     job.height = width * 3 / 4;
     job.options = random.options;
     job.real = RealType::quad;
-    const Image oracle = references::render(OwnTracer::textbook, scene, camera, job);
+    const Image oracle = renderers::render(OwnTracer::textbook, scene, camera, job);
     job.real = RealType::float64;
     for (const OwnTracer renderer : {OwnTracer::textbook, OwnTracer::engine}) {
-      const Image ours = references::render(renderer, scene, camera, job);
+      const Image ours = renderers::render(renderer, scene, camera, job);
       const Judgement judgement =
-          references::judge_pixels({{scene, camera, ours.width, ours.height, random.options},
-                                    oracle,
-                                    ours,
-                                    1e-6,
-                                    references::povray_resolution()},
-                                   enough);
+          truth::judge_pixels({{scene, camera, ours.width, ours.height, random.options},
+                               oracle,
+                               ours,
+                               1e-6,
+                               renderers::povray_resolution()},
+                              enough);
       EXPECT_EQ(judgement.pixels.size(), judgement.count(Verdict::undecided))
-          << "seed " << seed << ": " << references::note_of(judgement);
-      EXPECT_EQ(judgement.not_judged, 0U) << "seed " << seed << ": " << references::note_of(judgement);
+          << "seed " << seed << ": " << report::note_of(judgement);
+      EXPECT_EQ(judgement.not_judged, 0U) << "seed " << seed << ": " << report::note_of(judgement);
       undecided += judgement.count(Verdict::undecided);
       pixels += oracle.rgb.size() / 3;
     }

@@ -6,13 +6,13 @@
 
 #include "references/studies/stability/catalogue.hpp"
 
-namespace plumb::references::stability {
+namespace plumb::tests::stability {
 namespace {
 
 double wrong_at(const std::string& condition, const std::string& method, double value) {
-  for (const ConditionEntry& entry : catalogue()) {
+  for (const studies::stability::ConditionEntry& entry : studies::stability::catalogue()) {
     if (entry.name != condition) continue;
-    for (const Method& each : entry.methods) {
+    for (const studies::stability::Method& each : entry.methods) {
       if (each.id != method) continue;
       const double wrong = each.variants.front().probe(value, 48).wrong;
       std::printf("%s %g: %s wrong in %.2f %%\n", condition.c_str(), value, method.c_str(), 100 * wrong);
@@ -63,4 +63,4 @@ TEST(KnownFailure, AtEaseNothingIsWrong) {
 }
 
 }  // namespace
-}  // namespace plumb::references::stability
+}  // namespace plumb::tests::stability

@@ -17,11 +17,11 @@
 namespace plumb::tests {
 namespace {
 
+using attribution::Cause;
 using engine::Settings;
-using references::Cause;
-using references::SceneResult;
-using references::Status;
-using references::Verdict;
+using gates::SceneResult;
+using gates::Status;
+using truth::Verdict;
 
 RenderJob job_of(const Scene& scene, const RenderOptions& options) {
   RenderJob job;
@@ -52,7 +52,7 @@ std::size_t pixels_apart(const Scene& scene, const RenderJob& job, double tolera
   std::size_t apart = 0;
   for (const Settings& settings : every_setting()) {
     const Image image = engine::render(scene, camera, job, nullptr, settings);
-    apart = std::max(apart, references::pixels_over(expected, image, tolerance).size());
+    apart = std::max(apart, comparison::pixels_over(expected, image, tolerance).size());
   }
   return apart;
 }
@@ -221,22 +221,22 @@ TEST(NastyScenes, NoOutputContradictsAnother) {
   for (const unsigned seed : seeds) {
     const RandomScene random = nasty_scene(seed);
     const std::string path = workplace.file(std::to_string(seed) + ".sdf", write_scene(random.scene));
-    references::VerifyOptions options;
+    gates::VerifyOptions options;
     options.render = random.options;
     options.judge = true;
-    const SceneResult result = references::verify({path}, options, {}).scenes.front();
-    ASSERT_TRUE(result.judgement) << "seed " << seed << ": " << references::message_of(result);
+    const SceneResult result = gates::verify({path}, options, {}).scenes.front();
+    ASSERT_TRUE(result.judgement) << "seed " << seed << ": " << report::message_of(result);
     const auto& judged = *result.judgement;
     EXPECT_EQ(judged.count(Verdict::ours_wrong) + judged.count(Verdict::both_wrong), 0U)
-        << "seed " << seed << ": " << references::message_of(result) << "\n"
+        << "seed " << seed << ": " << report::message_of(result) << "\n"
         << read_file(path);
     const Scene scene = load_scene(path, Dialect{});
-    const references::TreeTracer tracer(
+    const attribution::TreeTracer tracer(
         {scene, scene.cameras.front(), result.width, result.height, random.options});
-    for (const references::JudgedPixel& p : judged.pixels) {
-      const references::RayNode tree = tracer.tree_of(p.x, p.y);
-      if (references::is_cut(tree)) continue;
-      EXPECT_EQ(references::engine_note(tree.colour, Rgbd(p.ours[0], p.ours[1], p.ours[2])), "")
+    for (const truth::JudgedPixel& p : judged.pixels) {
+      const attribution::RayNode tree = tracer.tree_of(p.x, p.y);
+      if (attribution::is_cut(tree)) continue;
+      EXPECT_EQ(report::engine_note(tree.colour, Rgbd(p.ours[0], p.ours[1], p.ours[2])), "")
           << "seed " << seed << ", pixel " << p.x << " " << p.y << ": explain shows what verify compares";
     }
     over += result.budget.pixels.size();
@@ -244,8 +244,8 @@ TEST(NastyScenes, NoOutputContradictsAnother) {
     EXPECT_EQ(judged.pixels.size() + judged.not_judged, result.budget.pixels.size()) << "seed " << seed;
     EXPECT_EQ(result.status == Status::agree,
               result.budget.count(Cause::unexplained) == 0 &&
-                  references::message_of(result).find("allowed") == std::string::npos)
-        << "seed " << seed << ": " << references::message_of(result);
+                  report::message_of(result).find("allowed") == std::string::npos)
+        << "seed " << seed << ": " << report::message_of(result);
   }
   RecordProperty("pixels_over", std::to_string(over));
   RecordProperty("unexplained", std::to_string(unexplained));

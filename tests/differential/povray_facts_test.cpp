@@ -22,9 +22,9 @@
 namespace plumb::tests {
 namespace {
 
-using references::Comparison;
-using references::PovrayJob;
-using references::Rendered;
+using comparison::Comparison;
+using renderers::PovrayJob;
+using renderers::Rendered;
 
 struct Tolerance {
   double value;
@@ -64,7 +64,7 @@ PovrayJob job_of(const Picture& picture) {
 
 /// All at once, because POV-Ray mostly waits.
 std::vector<Image> rendered_by_povray(const std::vector<PovrayJob>& jobs) {
-  const references::Povray povray;
+  const renderers::Povray povray;
   std::vector<std::future<Rendered>> running;
   for (const PovrayJob& job : jobs) {
     running.push_back(std::async(std::launch::async, [&povray, &job] { return povray.render(job); }));
@@ -72,7 +72,7 @@ std::vector<Image> rendered_by_povray(const std::vector<PovrayJob>& jobs) {
   std::vector<Image> images;
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     Rendered picture = running[i].get();
-    EXPECT_EQ(picture.holds, references::Holds::float32);
+    EXPECT_EQ(picture.holds, renderers::Holds::float32);
     EXPECT_EQ(picture.warnings, "") << jobs[i].text;
     images.push_back(std::move(picture.image));
   }
@@ -107,7 +107,7 @@ std::vector<Comparison> compare_with_povray(const std::vector<Picture>& pictures
   const std::vector<Image> references = rendered_by_povray(jobs);
   std::vector<Comparison> comparisons;
   for (std::size_t i = 0; i < pictures.size(); ++i) {
-    comparisons.push_back(references::compare(references[i], rendered_by_us(pictures[i]), tolerance));
+    comparisons.push_back(comparison::compare(references[i], rendered_by_us(pictures[i]), tolerance));
   }
   return comparisons;
 }
@@ -131,7 +131,7 @@ void expect_centre(const Image& image, const Rgbd& expected, const char* what) {
 }
 
 std::size_t count_over(const Image& reference, const Image& test, double tolerance) {
-  return references::pixels_over(reference, test, tolerance).size();
+  return comparison::pixels_over(reference, test, tolerance).size();
 }
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
@@ -267,10 +267,10 @@ Image png_of(const Picture& picture, const std::string& argument_left_out = {}) 
   const PovrayJob job = job_of(picture);
   const Workplace workplace;
   workplace.file("in.pov", job.text);
-  std::vector<std::string> command = references::povray_arguments(job);
+  std::vector<std::string> command = renderers::povray_arguments(job);
   std::erase(command, argument_left_out);
-  command.insert(command.begin(), references::Povray().program());
-  const auto result = references::run_process(command, workplace.directory(), {});
+  command.insert(command.begin(), renderers::Povray().program());
+  const auto result = system::run_process(command, workplace.directory(), {});
   EXPECT_EQ(result.exit_code, 0) << result.output;
   const ImageFile file = read_image(workplace.path("out.png"));
   Image image(file.width, file.height);
@@ -283,7 +283,7 @@ TEST(PovrayFacts, TheStateFileIsFloat32AndNotClamped) {
   const Picture picture = over_and_below_one();
   const Image image = rendered_by_povray(picture);
   EXPECT_EQ(*std::max_element(image.rgb.begin(), image.rgb.end()), 3.5F);
-  const Comparison c = references::compare(image, rendered_by_us(picture), float32_rounding.value);
+  const Comparison c = comparison::compare(image, rendered_by_us(picture), float32_rounding.value);
   EXPECT_TRUE(c.agrees()) << describe(c);
   // 16 bits cannot hold these values: most of them are no multiples of 1/65535.
   const auto is_of_16_bits = [](float v) { return std::abs(std::round(65535 * v) - 65535 * v) < 0.01F; };
@@ -319,7 +319,7 @@ TEST(PovrayFacts, WithoutFileGammaAPngIsNotLinear) {
   const Picture picture = over_and_below_one();
   Image ours = rendered_by_us(picture);
   for (float& v : ours.rgb) v = std::min(v, 1.0F);
-  const Comparison c = references::compare(png_of(picture, "File_Gamma=1.0"), ours, 1e-3);
+  const Comparison c = comparison::compare(png_of(picture, "File_Gamma=1.0"), ours, 1e-3);
   EXPECT_NEAR(c.max_error, 0.29, 0.02) << "sRGB is up to 0.29 above the linear value";
 }
 
@@ -443,7 +443,7 @@ TEST(PovrayFacts, GlassCastsAFullANoOrAFilteredShadow) {
   expect_centre(images[1], Rgbd(0.8), "none");
   expect_centre(images[2], {0.8 * 0.5 * 0.5, 0.8 * 0.25 * 0.25, 0.8}, "filtered: kt at each of two surfaces");
   for (std::size_t i = 0; i < pictures.size(); ++i) {
-    const Comparison c = references::compare(images[i], rendered_by_us(pictures[i]), many_layers.value);
+    const Comparison c = comparison::compare(images[i], rendered_by_us(pictures[i]), many_layers.value);
     EXPECT_TRUE(c.agrees()) << "shadow " << i << ": " << describe(c);
   }
 }
@@ -468,7 +468,7 @@ TEST(PovrayFacts, WhatIsTracedBeyondTheDepthIsBlackAndNotTheBackground) {
                 "depth 2: what it mirrors, too");
   EXPECT_EQ(images[0].pixel(32, 0)[2], 0.75F) << "a primary ray that misses sees the background at depth 1";
   for (const int depth : {1, 2}) {
-    const Comparison c = references::compare(images[static_cast<std::size_t>(depth) - 1],
+    const Comparison c = comparison::compare(images[static_cast<std::size_t>(depth) - 1],
                                              rendered_by_us(mirror_wall(depth)), float32_rounding.value);
     EXPECT_TRUE(c.agrees()) << "depth " << depth << ": " << describe(c);
   }
@@ -506,7 +506,7 @@ define camera eye 50 0 0 0 0.5 0 -0.86602540378443864 0 1 0
                         with_depth(3), 65, 49};
   const Image image = rendered_by_povray(picture);
   expect_centre(image, {0.4, 0.2, 0.1}, "1 * kt * background");
-  const Comparison c = references::compare(image, rendered_by_us(picture), many_layers.value);
+  const Comparison c = comparison::compare(image, rendered_by_us(picture), many_layers.value);
   EXPECT_TRUE(c.agrees()) << describe(c);
 }
 
@@ -534,7 +534,7 @@ TEST(PovrayFacts, AnEtaRatioOfOneDoesNotBendNorRaiseTheDepth) {
   expect_centre(images[1], std::pow(0.5, 10) * Rgbd(1, 0.5, 0.25), "depth 2: through ten surfaces");
   EXPECT_EQ(images[1].rgb, images[2].rgb) << "there is but one level";
   for (std::size_t i = 0; i < pictures.size(); ++i) {
-    const Comparison c = references::compare(images[i], rendered_by_us(pictures[i]), exact.value);
+    const Comparison c = comparison::compare(images[i], rendered_by_us(pictures[i]), exact.value);
     EXPECT_TRUE(c.agrees()) << pictures[i].what << ": " << describe(c);
   }
 }
@@ -718,7 +718,7 @@ define camera eye 60
   const std::vector<Image> images = rendered_by_povray({job_of(picture), by_default});
   const Image ours = rendered_by_us(picture);
   EXPECT_EQ(count_over(images[0], ours, float32_rounding.value), 0U);
-  const Comparison cut = references::compare(images[1], ours, 1e-4);
+  const Comparison cut = comparison::compare(images[1], ours, 1e-4);
   EXPECT_GT(cut.pixels_over, 50U) << "0.05 * 0.05 is below 1/255";
   EXPECT_NEAR(cut.max_error, 2.5e-3, 5e-4);
 }
@@ -752,7 +752,7 @@ PovrayJob unscaled(const Picture& picture) {
 std::size_t expect_that_scaling_helps(const Picture& picture, double tolerance) {
   const std::vector<Image> images = rendered_by_povray({job_of(picture), unscaled(picture)});
   const Image ours = rendered_by_us(picture);
-  const Comparison c = references::compare(images[0], ours, many_layers.value);
+  const Comparison c = comparison::compare(images[0], ours, many_layers.value);
   EXPECT_TRUE(c.agrees()) << picture.what << ": " << describe(c);
   return count_over(images[1], ours, tolerance);
 }

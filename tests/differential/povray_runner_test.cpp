@@ -25,14 +25,14 @@ namespace plumb::tests {
 namespace {
 
 namespace fs = std::filesystem;
-using references::Cache;
-using references::ExportedShot;
-using references::Holds;
-using references::Povray;
-using references::PovrayError;
-using references::PovrayJob;
-using references::PovrayRenderer;
-using references::Rendered;
+using renderers::Cache;
+using renderers::ExportedShot;
+using renderers::Holds;
+using renderers::Povray;
+using renderers::PovrayError;
+using renderers::PovrayJob;
+using renderers::PovrayRenderer;
+using renderers::Rendered;
 
 /// A shell script that stands on PATH in the place of POV-Ray.
 class FakePovray {
@@ -324,7 +324,7 @@ class CacheOfPictures : public testing::Test {
  protected:
   Workplace workplace_;
   Cache cache_{workplace_.path("cache")};
-  ExportedShot shot_ = references::exported_by(job_with_background("0.25,0.5,1"));
+  ExportedShot shot_ = renderers::exported_by(job_with_background("0.25,0.5,1"));
   std::string version_ = "3.7.0";
 };
 
@@ -409,7 +409,7 @@ TEST_F(CacheOfPictures, AllThatDeterminesThePictureIsInTheKey) {
   EXPECT_FALSE(cache_.find(other, version_).has_value()) << "which of its files is read";
   PovrayJob patient = job_with_background("0.25,0.5,1");
   patient.time_limit_seconds = 1;
-  EXPECT_TRUE(cache_.find(references::exported_by(patient), version_).has_value())
+  EXPECT_TRUE(cache_.find(renderers::exported_by(patient), version_).has_value())
       << "the time limit changes no picture";
 }
 
@@ -417,7 +417,7 @@ TEST_F(CacheOfPictures, AnEntryForAnotherSizeInItsPlaceIsNotTaken) {
   PovrayJob upright = job_with_background("0.25,0.5,1");
   upright.width = picture_height;
   upright.height = picture_width;
-  const ExportedShot other = references::exported_by(upright);
+  const ExportedShot other = renderers::exported_by(upright);
   Rendered picture = some_picture();
   std::swap(picture.image.width, picture.image.height);
   cache_.store(other, version_, picture);

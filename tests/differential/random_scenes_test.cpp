@@ -18,9 +18,9 @@
 namespace plumb::tests {
 namespace {
 
-using references::OwnTracer;
-using references::SceneResult;
-using references::Status;
+using gates::SceneResult;
+using gates::Status;
+using renderers::OwnTracer;
 
 /// Read back from its own text, exported, and rendered small in double and float by both tracers.
 TEST(RandomScenes, NeverCrash) {
@@ -39,7 +39,7 @@ TEST(RandomScenes, NeverCrash) {
     for (const auto real : {RealType::float64, RealType::float32}) {
       job.real = real;
       for (const OwnTracer renderer : {OwnTracer::textbook, OwnTracer::engine}) {
-        const Image image = references::render(renderer, read.scene, camera, job);
+        const Image image = renderers::render(renderer, read.scene, camera, job);
         EXPECT_TRUE(std::all_of(image.rgb.begin(), image.rgb.end(), [](float c) { return std::isfinite(c); }))
             << "seed " << seed;
       }
@@ -60,17 +60,17 @@ TEST(RandomScenes, AgreeWithPovrayOnEveryPixel) {
   }
   std::size_t agreed = 0;
   for (const auto& [options, paths] : scenes) {
-    references::VerifyOptions verify;
+    gates::VerifyOptions verify;
     verify.render.depth = options.first;
     verify.render.glass_shadow = options.second;
-    const auto report = references::verify(paths, verify, {});
+    const auto report = gates::verify(paths, verify, {});
     ASSERT_TRUE(report.notice.empty()) << report.notice;
     for (const SceneResult& result : report.scenes) {
       EXPECT_EQ(result.status, Status::agree)
           << result.scene << " depth " << options.first << ": " << result.comparison.pixels_over
-          << " pixels over, " << references::message_of(result) << "\n"
+          << " pixels over, " << report::message_of(result) << "\n"
           << read_file(result.scene);
-      EXPECT_EQ(result.budget.unverified(), 0U) << result.scene << ": " << references::message_of(result);
+      EXPECT_EQ(result.budget.unverified(), 0U) << result.scene << ": " << report::message_of(result);
       agreed += result.status == Status::agree ? 1 : 0;
     }
   }

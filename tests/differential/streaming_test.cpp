@@ -14,8 +14,8 @@
 namespace plumb::tests {
 namespace {
 
-using references::OwnTracer;
-using references::Streaming;
+using renderers::OwnTracer;
+using renderers::Streaming;
 
 constexpr std::int64_t never = std::numeric_limits<std::int64_t>::max();
 

@@ -18,8 +18,8 @@
 namespace plumb::tests {
 namespace {
 
-using references::SceneResult;
-using references::Status;
+using gates::SceneResult;
+using gates::Status;
 
 const std::string two_materials = R"(
 define material red 0.2 0.05 0.05 0.6 0.2 0.1 0.3 0.3 0.3 20
@@ -98,9 +98,9 @@ TEST_F(Ties, PovrayTakesTheSameSurfaceAndConfirmsItsColour) {
       scenes.push_back(file(kind + ", " + a + ", " + b + ".sdf", text));
     }
   }
-  for (const SceneResult& result : references::verify(scenes, {}, {}).scenes) {
-    EXPECT_EQ(result.status, Status::agree) << result.scene << ": " << references::message_of(result);
-    EXPECT_EQ(result.budget.unverified(), 0U) << result.scene << ": " << references::message_of(result);
+  for (const SceneResult& result : gates::verify(scenes, {}, {}).scenes) {
+    EXPECT_EQ(result.status, Status::agree) << result.scene << ": " << report::message_of(result);
+    EXPECT_EQ(result.budget.unverified(), 0U) << result.scene << ": " << report::message_of(result);
     EXPECT_LE(result.comparison.pixels_over, 4U) << result.scene << ": on edges, by chance";
   }
 }
@@ -133,12 +133,11 @@ TEST_F(Ties, WhatTheExportDoesNotDecideIsUnverified) {
   std::size_t unverified = 0;
   for (const auto& [a, b] : {std::pair{"red", "blue"}, std::pair{"blue", "red"}}) {
     const std::string text = with_materials(kinds.at("boxes with one front"), a, b) + many;
-    const SceneResult result = references::verify({file("a.sdf", text)}, {}, {}).scenes.front();
-    EXPECT_EQ(result.budget.unverified(), result.comparison.pixels_over) << references::message_of(result);
+    const SceneResult result = gates::verify({file("a.sdf", text)}, {}, {}).scenes.front();
+    EXPECT_EQ(result.budget.unverified(), result.comparison.pixels_over) << report::message_of(result);
     const bool is_too_much = result.budget.unverified() > 48U * 36 / 100;
-    EXPECT_EQ(result.status, is_too_much ? Status::differ : Status::agree) << references::message_of(result);
-    EXPECT_EQ(contains(references::message_of(result), "unverified"), is_too_much)
-        << references::message_of(result);
+    EXPECT_EQ(result.status, is_too_much ? Status::differ : Status::agree) << report::message_of(result);
+    EXPECT_EQ(contains(report::message_of(result), "unverified"), is_too_much) << report::message_of(result);
     unverified += result.budget.unverified();
   }
   EXPECT_GT(unverified, 48U * 36 / 100) << "POV-Ray takes the first in both";
@@ -157,8 +156,8 @@ TEST_F(Ties, OfTwoFacesAtAnEdgeTheOtherIsProven) {
              std::string("define material glassy 0 0 0 0.5 0.4 0.9 0 0 0 1 transmit 0.5 0.5 0.5 eta 0.5\n"
                          "background 1 0 0\ndefine camera eye 45\nrender eye x.ppm 64 48\n") +
                  shapes));
-  for (const SceneResult& result : references::verify(scenes, {}, {}).scenes)
-    EXPECT_EQ(result.status, Status::agree) << result.scene << ": " << references::message_of(result);
+  for (const SceneResult& result : gates::verify(scenes, {}, {}).scenes)
+    EXPECT_EQ(result.status, Status::agree) << result.scene << ": " << report::message_of(result);
 }
 
 }  // namespace

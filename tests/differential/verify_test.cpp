@@ -20,10 +20,10 @@
 namespace plumb::tests {
 namespace {
 
-using references::SceneResult;
-using references::Status;
-using references::VerifyOptions;
-using references::VerifyReport;
+using gates::SceneResult;
+using gates::Status;
+using gates::VerifyOptions;
+using gates::VerifyReport;
 
 const std::string materials = R"(
 define material red 0.2 0.05 0.05 0.6 0.2 0.1 0.3 0.3 0.3 20
@@ -79,15 +79,15 @@ TEST_F(Verify, NoBadSceneStopsTheOthersAndResultsKeepTheirOrder) {
                                         file("b.sdf", block)};
   std::vector<std::string> told;
   const VerifyReport report =
-      references::verify(scenes, {}, [&](const SceneResult& result) { told.push_back(result.scene); });
+      gates::verify(scenes, {}, [&](const SceneResult& result) { told.push_back(result.scene); });
   EXPECT_EQ(statuses(report), (std::vector{Status::agree, Status::error, Status::error, Status::agree}));
   EXPECT_EQ(report.exit_code(), 2);
   EXPECT_EQ(told, scenes);
   for (std::size_t i = 0; i < scenes.size(); ++i) EXPECT_EQ(report.scenes[i].scene, scenes[i]);
-  EXPECT_TRUE(contains(references::message_of(report.scenes[1]), "missing.sdf"))
-      << references::message_of(report.scenes[1]);
-  EXPECT_TRUE(contains(references::message_of(report.scenes[2]), "broken.sdf:1"))
-      << references::message_of(report.scenes[2]);
+  EXPECT_TRUE(contains(report::message_of(report.scenes[1]), "missing.sdf"))
+      << report::message_of(report.scenes[1]);
+  EXPECT_TRUE(contains(report::message_of(report.scenes[2]), "broken.sdf:1"))
+      << report::message_of(report.scenes[2]);
   EXPECT_EQ(report.scenes[0].width, 48);
   EXPECT_EQ(report.scenes[0].height, 36);
   EXPECT_EQ(report.scenes[0].comparison.pixels, 48U * 36);
@@ -98,8 +98,8 @@ TEST_F(Verify, NoBadSceneStopsTheOthersAndResultsKeepTheirOrder) {
 
 TEST_F(Verify, ScenesThatAllAgreeGiveZeroAndTheSecondRunIsCached) {
   const std::vector<std::string> scenes{file("a.sdf", ball), file("b.sdf", block)};
-  const VerifyReport first = references::verify(scenes, {}, {});
-  const VerifyReport second = references::verify(scenes, {}, {});
+  const VerifyReport first = gates::verify(scenes, {}, {});
+  const VerifyReport second = gates::verify(scenes, {}, {});
   EXPECT_EQ(first.exit_code(), 0);
   EXPECT_EQ(second.exit_code(), 0);
   EXPECT_EQ(first.reference_version, second.reference_version);
@@ -121,7 +121,7 @@ TEST_F(Verify, TheResultsAreTheSameForEveryNumberOfJobs) {
     options.jobs = jobs;
     std::vector<std::string> told;
     const VerifyReport report =
-        references::verify(scenes, options, [&](const SceneResult& result) { told.push_back(result.scene); });
+        gates::verify(scenes, options, [&](const SceneResult& result) { told.push_back(result.scene); });
     EXPECT_EQ(told, scenes) << jobs;
     EXPECT_EQ(statuses(report),
               (std::vector{Status::agree, Status::error, Status::agree, Status::error, Status::agree}))
@@ -130,7 +130,7 @@ TEST_F(Verify, TheResultsAreTheSameForEveryNumberOfJobs) {
 }
 
 TEST_F(Verify, NoSceneAtAllIsNoTrouble) {
-  const VerifyReport report = references::verify({}, {}, {});
+  const VerifyReport report = gates::verify({}, {}, {});
   EXPECT_EQ(report.exit_code(), 0);
   EXPECT_TRUE(report.scenes.empty());
 }
@@ -140,49 +140,49 @@ TEST_F(Verify, SizeAndCameraMayBeOthersThanTheScenes) {
   VerifyOptions options;
   options.size = Size{20, 30};
   options.camera = "other";
-  const VerifyReport report = references::verify({scene}, options, {});
-  EXPECT_EQ(report.exit_code(), 0) << references::message_of(report.scenes[0]);
+  const VerifyReport report = gates::verify({scene}, options, {});
+  EXPECT_EQ(report.exit_code(), 0) << report::message_of(report.scenes[0]);
   EXPECT_EQ(report.scenes[0].width, 20);
   EXPECT_EQ(report.scenes[0].height, 30);
   options.camera = "nobody";
-  const VerifyReport unknown = references::verify({scene}, options, {});
+  const VerifyReport unknown = gates::verify({scene}, options, {});
   EXPECT_EQ(unknown.exit_code(), 2);
-  EXPECT_TRUE(contains(references::message_of(unknown.scenes[0]), "nobody"))
-      << references::message_of(unknown.scenes[0]);
+  EXPECT_TRUE(contains(report::message_of(unknown.scenes[0]), "nobody"))
+      << report::message_of(unknown.scenes[0]);
 }
 
 TEST_F(Verify, WarningsOfPovrayReachTheMessage) {
   const VerifyReport report =
-      references::verify({file("empty.sdf", "define camera eye 60\nrender eye image.ppm 16 12\n")}, {}, {});
-  EXPECT_EQ(report.exit_code(), 0) << references::message_of(report.scenes[0]);
-  EXPECT_TRUE(contains(references::message_of(report.scenes[0]), "POV-Ray warns"))
-      << references::message_of(report.scenes[0]);
+      gates::verify({file("empty.sdf", "define camera eye 60\nrender eye image.ppm 16 12\n")}, {}, {});
+  EXPECT_EQ(report.exit_code(), 0) << report::message_of(report.scenes[0]);
+  EXPECT_TRUE(contains(report::message_of(report.scenes[0]), "POV-Ray warns"))
+      << report::message_of(report.scenes[0]);
 }
 
 TEST_F(Verify, ATimeLimitThatIsTooShortIsAnErrorOfThatScene) {
   VerifyOptions options;
   options.reference.time_limit_seconds = 0.05;
-  const VerifyReport report = references::verify({file("a.sdf", ball)}, options, {});
+  const VerifyReport report = gates::verify({file("a.sdf", ball)}, options, {});
   EXPECT_EQ(report.exit_code(), 2);
-  EXPECT_TRUE(contains(references::message_of(report.scenes[0]), "longer than"))
-      << references::message_of(report.scenes[0]);
+  EXPECT_TRUE(contains(report::message_of(report.scenes[0]), "longer than"))
+      << report::message_of(report.scenes[0]);
 }
 
 TEST_F(Verify, WithoutPovrayStoredImagesAreUsedAndThatIsSaid) {
   const Variable nothing_on_path("PATH", path("nowhere"));
   const Variable none_stored("PLUMB_REFERENCES", path("none"));
-  const VerifyReport report = references::verify({file("a.sdf", ball)}, {}, {});
+  const VerifyReport report = gates::verify({file("a.sdf", ball)}, {}, {});
   EXPECT_TRUE(contains(report.notice, "NO POV-RAY IS RUN")) << report.notice;
   EXPECT_EQ(report.exit_code(), 2);
-  EXPECT_TRUE(contains(references::message_of(report.scenes[0]), "no stored reference image"))
-      << references::message_of(report.scenes[0]);
+  EXPECT_TRUE(contains(report::message_of(report.scenes[0]), "no stored reference image"))
+      << report::message_of(report.scenes[0]);
 }
 
 TEST_F(Verify, StoredImagesStartNoPovrayAndThatIsSaid) {
   const Variable none_stored("PLUMB_REFERENCES", path("none"));
   VerifyOptions options;
   options.reference.stored = true;
-  const VerifyReport report = references::verify({file("a.sdf", ball)}, options, {});
+  const VerifyReport report = gates::verify({file("a.sdf", ball)}, options, {});
   EXPECT_TRUE(contains(report.notice, "--stored")) << report.notice;
   EXPECT_EQ(report.exit_code(), 2);
 }
@@ -192,8 +192,8 @@ TEST_F(Verify, StoredImagesStartNoPovrayAndThatIsSaid) {
 struct Loaded {
   explicit Loaded(const std::string& file) : scene(load_scene(file, {})) {}
   const Camera& camera() const { return scene.cameras.front(); }
-  references::ExportedShot exported() const {
-    return references::PovrayRenderer().exported({scene, camera(), 48, 36});
+  renderers::ExportedShot exported() const {
+    return renderers::PovrayRenderer().exported({scene, camera(), 48, 36});
   }
   Image render() const {
     textbook::RenderJob job;
@@ -213,14 +213,14 @@ struct Loaded {
 TEST_F(Verify, AWrongPixelMakesItDifferAndIsTold) {
   const std::string scene = file("a.sdf", ball);
   const Loaded loaded(scene);
-  const references::PovrayRenderer povray;
-  const references::Cache cache;
+  const renderers::PovrayRenderer povray;
+  const renderers::Cache cache;
   // A doctored reference in the cache: our picture, but for one pixel in the middle of the ball.
-  references::Rendered doctored;
+  renderers::Rendered doctored;
   doctored.image = loaded.render();
   doctored.image.pixel(25, 16)[1] += 0.01F;
   cache.store(loaded.exported(), cache.version_of(povray), doctored);
-  const VerifyReport report = references::verify({scene, file("b.sdf", block)}, {}, {});
+  const VerifyReport report = gates::verify({scene, file("b.sdf", block)}, {}, {});
   EXPECT_EQ(statuses(report), (std::vector{Status::differ, Status::agree}));
   EXPECT_EQ(report.exit_code(), 1);
   const SceneResult& result = report.scenes[0];
@@ -230,31 +230,31 @@ TEST_F(Verify, AWrongPixelMakesItDifferAndIsTold) {
   EXPECT_NEAR(result.comparison.max_error, 0.01, 1e-6);
   EXPECT_EQ(result.comparison.worst.x, 25);
   EXPECT_EQ(result.comparison.worst.y, 16);
-  const VerifyReport worse = references::verify({scene, path("missing")}, {}, {});
+  const VerifyReport worse = gates::verify({scene, path("missing")}, {}, {});
   EXPECT_EQ(worse.exit_code(), 2) << "trouble outweighs a difference";
 }
 
 TEST_F(Verify, APixelThatIsNotFiniteNeverAgrees) {
   const std::string scene = file("a.sdf", ball);
   const Loaded loaded(scene);
-  const references::Cache cache;
-  references::Rendered doctored;
+  const renderers::Cache cache;
+  renderers::Rendered doctored;
   doctored.image = loaded.render();
   doctored.image.pixel(3, 3)[0] = std::numeric_limits<float>::quiet_NaN();
-  cache.store(loaded.exported(), cache.version_of(references::PovrayRenderer()), doctored);
-  const VerifyReport report = references::verify({scene}, {}, {});
+  cache.store(loaded.exported(), cache.version_of(renderers::PovrayRenderer()), doctored);
+  const VerifyReport report = gates::verify({scene}, {}, {});
   EXPECT_EQ(report.exit_code(), 1);
-  EXPECT_TRUE(contains(references::message_of(report.scenes[0]), "1 pixels are not finite"))
-      << references::message_of(report.scenes[0]);
+  EXPECT_TRUE(contains(report::message_of(report.scenes[0]), "1 pixels are not finite"))
+      << report::message_of(report.scenes[0]);
 }
 
 // Ties.
 
 TEST_F(Verify, WhicheverOfCoincidentSurfacesPovrayTakesTheSceneAgrees) {
-  const VerifyReport report = references::verify(
+  const VerifyReport report = gates::verify(
       {file("a.sdf", coincident("red", "blue")), file("b.sdf", coincident("blue", "red"))}, {}, {});
   for (const SceneResult& result : report.scenes) {
-    EXPECT_EQ(result.status, Status::agree) << references::message_of(result);
+    EXPECT_EQ(result.status, Status::agree) << report::message_of(result);
     EXPECT_EQ(result.comparison.pixels_over, result.budget.explained());
     EXPECT_EQ(result.budget.unverified(), 0U) << "the export decides as plumb does";
   }
@@ -263,44 +263,44 @@ TEST_F(Verify, WhicheverOfCoincidentSurfacesPovrayTakesTheSceneAgrees) {
 TEST_F(Verify, TiesAreCountedAndTheirShapesNamed) {
   const std::string scene = file("a.sdf", coincident("red", "blue"));
   const Loaded loaded(scene);
-  const references::Cache cache;
-  const std::string version = cache.version_of(references::PovrayRenderer());
+  const renderers::Cache cache;
+  const std::string version = cache.version_of(renderers::PovrayRenderer());
   const Image ours = loaded.render();
   std::size_t ties = 0;
   for (const std::size_t nearer : {0U, 1U}) {
     // As if POV-Ray had taken the one box, and then the other, wherever both are.
-    references::Rendered picture;
+    renderers::Rendered picture;
     picture.image = loaded.with_nearer(nearer).render();
     cache.store(loaded.exported(), version, picture);
-    const SceneResult result = references::verify({scene}, {}, {}).scenes.front();
-    const std::size_t over = references::pixels_over(picture.image, ours, 1e-6).size();
+    const SceneResult result = gates::verify({scene}, {}, {}).scenes.front();
+    const std::size_t over = comparison::pixels_over(picture.image, ours, 1e-6).size();
     ties += over;
     EXPECT_EQ(result.comparison.pixels_over, over);
     EXPECT_EQ(result.budget.explained(), over);
     EXPECT_EQ(result.budget.unverified(), over);
-    EXPECT_EQ(result.status, over == 0 ? Status::agree : Status::differ) << references::message_of(result);
+    EXPECT_EQ(result.status, over == 0 ? Status::agree : Status::differ) << report::message_of(result);
     if (over == 0) continue;
-    EXPECT_TRUE(contains(references::message_of(result), std::to_string(over) + " pixels are unverified"))
-        << references::message_of(result);
+    EXPECT_TRUE(contains(report::message_of(result), std::to_string(over) + " pixels are unverified"))
+        << report::message_of(result);
     EXPECT_EQ(result.budget.shapes, (std::vector<std::string>{"one", "two"}));
-    EXPECT_TRUE(contains(references::message_of(result),
+    EXPECT_TRUE(contains(report::message_of(result),
                          std::to_string(over) + " of " + std::to_string(over) + " pixels over"))
-        << references::message_of(result);
-    EXPECT_TRUE(contains(references::message_of(result), "'one' 'two'")) << references::message_of(result);
+        << report::message_of(result);
+    EXPECT_TRUE(contains(report::message_of(result), "'one' 'two'")) << report::message_of(result);
   }
   EXPECT_GT(ties, 50U) << "our picture shows the one or the other";
 }
 
 TEST_F(Verify, AGlassBoxOnAFloorAgrees) {
-  const VerifyReport report = references::verify({file("a.sdf", glass_on_floor)}, {}, {});
-  EXPECT_EQ(report.exit_code(), 0) << references::message_of(report.scenes[0]);
+  const VerifyReport report = gates::verify({file("a.sdf", glass_on_floor)}, {}, {});
+  EXPECT_EQ(report.exit_code(), 0) << report::message_of(report.scenes[0]);
   EXPECT_EQ(report.scenes[0].budget.unverified(), 0U) << "up to 3 % were, while POV-Ray decided by itself";
 }
 
 /// The places of the overlap of the two boxes, a pixel away from its edges.
 std::vector<PixelPlace> places_of_overlap(const Image& one, const Image& other) {
   const auto differs = [&](int x, int y) {
-    return !references::is_within(one.pixel(x, y), other.pixel(x, y), 1e-3);
+    return !comparison::is_within(one.pixel(x, y), other.pixel(x, y), 1e-3);
   };
   std::vector<PixelPlace> places;
   for (int y = 1; y + 1 < one.height; ++y) {
@@ -314,16 +314,16 @@ std::vector<PixelPlace> places_of_overlap(const Image& one, const Image& other) 
 }
 
 /// The budget of a reference against our picture, in which only the given pixels may differ.
-references::Budget budget_of(const Loaded& loaded, const Image& reference,
-                             const std::vector<PixelPlace>& places) {
+attribution::Budget budget_of(const Loaded& loaded, const Image& reference,
+                              const std::vector<PixelPlace>& places) {
   Image test = reference;
   const Image ours = loaded.render();
   for (const auto& p : places) std::copy_n(ours.pixel(p.x, p.y), 3, test.pixel(p.x, p.y));
-  return references::attribute({{loaded.scene, loaded.camera(), test.width, test.height},
-                                reference,
-                                test,
-                                1e-6,
-                                references::povray_resolution()});
+  return attribution::attribute({{loaded.scene, loaded.camera(), test.width, test.height},
+                                 reference,
+                                 test,
+                                 1e-6,
+                                 renderers::povray_resolution()});
 }
 
 /// How many of the places that are over are explained.
@@ -371,7 +371,7 @@ TEST_F(Verify, ASceneThatIsRenderedWronglyIsNotExcused) {
   Loaded wrong = loaded;
   std::get<Sphere>(wrong.scene.shapes[0].geometry).radius *= 1.01;
   const Image reference = wrong.render();
-  const auto places = references::pixels_over(reference, loaded.render(), 1e-6);
+  const auto places = comparison::pixels_over(reference, loaded.render(), 1e-6);
   ASSERT_GT(places.size(), 100U);
   EXPECT_EQ(explained(loaded, reference, places), 0U);
 }
@@ -409,11 +409,11 @@ define shape box floor -9 -2 -20 9 -1.9 3 red
 )";
   VerifyOptions options;
   options.render.depth = 5;
-  const SceneResult result = references::verify({file("a.sdf", text)}, options, {}).scenes.front();
+  const SceneResult result = gates::verify({file("a.sdf", text)}, options, {}).scenes.front();
   EXPECT_GT(result.comparison.pixels_over, 100U);
   EXPECT_EQ(result.comparison.pixels_over, result.budget.explained());
   EXPECT_GT(result.budget.unverified(), 100U) << "the export does not change where surfaces are";
-  EXPECT_EQ(result.status, Status::differ) << references::message_of(result);
+  EXPECT_EQ(result.status, Status::differ) << report::message_of(result);
 }
 
 // Term by term.
@@ -430,12 +430,12 @@ define shape box floor -9 -2 -12 9 -1 0 blue
 using SceneFault = void (*)(Scene&, RenderOptions&);
 
 /// Renders another scene than it is asked for.
-class WrongRenderer : public references::Renderer {
+class WrongRenderer : public renderers::Renderer {
  public:
   explicit WrongRenderer(SceneFault fault) : Renderer({"wrong", "wrong"}), fault_(fault) {}
 
   std::string version() const override { return {}; }
-  references::Rendered render(const Shot& shot) const override {
+  renderers::Rendered render(const Shot& shot) const override {
     Scene wrong = shot.scene;
     RenderJob job = job_of(shot);
     fault_(wrong, job.options);
@@ -466,11 +466,11 @@ TEST_F(Verify, ADifferenceIsFoundInTheTermInWhichItLives) {
     options.terms = true;
     const WrongRenderer ours(c.fault);
     options.ours = &ours;
-    const SceneResult result = references::verify({scene}, options, {}).scenes.front();
+    const SceneResult result = gates::verify({scene}, options, {}).scenes.front();
     EXPECT_EQ(result.status, Status::differ) << c.term;
-    EXPECT_TRUE(contains(references::message_of(result), std::string("lives in the term ") + c.term))
-        << c.term << ": " << references::message_of(result);
-    EXPECT_EQ(result.budget.explained() + result.budget.count(references::Cause::unexplained),
+    EXPECT_TRUE(contains(report::message_of(result), std::string("lives in the term ") + c.term))
+        << c.term << ": " << report::message_of(result);
+    EXPECT_EQ(result.budget.explained() + result.budget.count(attribution::Cause::unexplained),
               result.comparison.pixels_over);
   }
 }
@@ -478,16 +478,16 @@ TEST_F(Verify, ADifferenceIsFoundInTheTermInWhichItLives) {
 TEST_F(Verify, EveryTermOfARightSceneAgrees) {
   VerifyOptions options;
   options.terms = true;
-  const SceneResult result = references::verify({file("a.sdf", all_terms_scene)}, options, {}).scenes.front();
-  EXPECT_EQ(result.status, Status::agree) << references::message_of(result);
-  ASSERT_EQ(result.terms.size(), references::all_terms.size());
-  for (const references::TermResult& t : result.terms) {
+  const SceneResult result = gates::verify({file("a.sdf", all_terms_scene)}, options, {}).scenes.front();
+  EXPECT_EQ(result.status, Status::agree) << report::message_of(result);
+  ASSERT_EQ(result.terms.size(), attribution::all_terms.size());
+  for (const gates::TermResult& t : result.terms) {
     EXPECT_EQ(t.unexplained, 0U) << to_string(t.term);
     ASSERT_TRUE(t.in_scene && t.comparison) << to_string(t.term);
     EXPECT_LE(t.comparison->judged_error, 1e-6) << to_string(t.term);
   }
-  const SceneResult plain = references::verify({file("b.sdf", ball)}, options, {}).scenes.front();
-  EXPECT_EQ(plain.terms.size(), references::all_terms.size());
+  const SceneResult plain = gates::verify({file("b.sdf", ball)}, options, {}).scenes.front();
+  EXPECT_EQ(plain.terms.size(), attribution::all_terms.size());
   EXPECT_EQ(std::count_if(plain.terms.begin(), plain.terms.end(), [](const auto& t) { return t.in_scene; }),
             4)
       << "no mirror, no glass";

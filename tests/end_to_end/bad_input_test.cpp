@@ -437,7 +437,7 @@ class FullDisk : public testing::Test {
     ASSERT_EQ(stat("/dev/full", &info), 0);
     EXPECT_TRUE(S_ISCHR(info.st_mode)) << "/dev/full is no device any more";
   }
-  references::ProcessResult shell(const std::string& command) const {
+  system::ProcessResult shell(const std::string& command) const {
     return run_shell(command, workplace_.directory());
   }
 

@@ -72,7 +72,7 @@ class ChartCommand : public testing::Test {
   /// Of the message.
   std::string complaint_of(const std::vector<std::string>& interpreter) {
     try {
-      references::check_plotting(interpreter);
+      studies::check_plotting(interpreter);
     } catch (const std::runtime_error& error) {
       return error.what();
     }
@@ -142,12 +142,12 @@ TEST_F(ChartCommand, GoesOnWhereItWasKilled) {
 
 TEST_F(ChartCommand, AllTextLiesInThePictureAndNoneOnAnother) {
   const std::string chart = workplace_.file("hard.json", hard_chart().dump());
-  references::ProcessLimits limits;
+  system::ProcessLimits limits;
   limits.seconds = 60;
   const auto result =
-      references::run_process({"/usr/bin/python3", "-B", source_path("tests/support/chart_texts.py"),
-                               source_path("references/studies/chart/plot.py"), chart},
-                              workplace_.directory(), limits);
+      system::run_process({"/usr/bin/python3", "-B", source_path("tests/support/chart_texts.py"),
+                           source_path("references/studies/chart/plot.py"), chart},
+                          workplace_.directory(), limits);
   EXPECT_EQ(result.exit_code, 0) << result.output;
   EXPECT_TRUE(result.output.ends_with(" texts\n")) << result.output;
   EXPECT_EQ(std::count(result.output.begin(), result.output.end(), '\n'), 1) << result.output;
@@ -155,7 +155,7 @@ TEST_F(ChartCommand, AllTextLiesInThePictureAndNoneOnAnother) {
 
 TEST_F(ChartCommand, DrawsTheSameBytesAgain) {
   const std::vector<std::string> files{workplace_.path("a.svg"), workplace_.path("b.svg")};
-  for (const std::string& file : files) references::plot_chart(hard_chart().dump(), {file});
+  for (const std::string& file : files) studies::plot_chart(hard_chart().dump(), {file});
   const std::string svg = read_file(files[0]);
   EXPECT_EQ(svg, read_file(files[1]));
   for (const char* text : {"fails", "390 not finite", "RMS 8e+35"}) EXPECT_TRUE(contains(svg, text)) << text;
@@ -169,7 +169,7 @@ TEST_F(ChartCommand, NamesThePackageThatIsMissing) {
   const std::string no_python = complaint_of({workplace_.path("python3")});
   EXPECT_TRUE(contains(no_python, "apt-get install python3-matplotlib")) << no_python;
   EXPECT_TRUE(contains(no_python, workplace_.path("python3"))) << no_python;
-  EXPECT_EQ(complaint_of(references::usual_python), "");
+  EXPECT_EQ(complaint_of(studies::usual_python), "");
 }
 
 }  // namespace

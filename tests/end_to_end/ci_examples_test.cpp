@@ -69,7 +69,7 @@ class CiExample : public testing::TestWithParam<Word> {
   }
 
   /// Both servers run the lines so that the first that fails ends the job.
-  references::ProcessResult run(const std::string& lines) const {
+  system::ProcessResult run(const std::string& lines) const {
     return run_shell("set -e\n" + lines, workplace_.directory());
   }
   std::string kept(const std::string& file) const { return workplace_.path(example_.kept + "/" + file); }

@@ -235,7 +235,7 @@ TEST_F(Compare, RenderedFilesOfAllFormatsCanBeCompared) {
 }
 
 TEST_F(Compare, FiguresAreThoseOfIdiff) {
-  const std::string idiff = references::find_program("idiff");
+  const std::string idiff = system::find_program("idiff");
   if (idiff.empty()) GTEST_SKIP() << "idiff (openimageio-tools) is not installed";
   std::vector<float> reference;
   std::vector<float> test;
@@ -350,7 +350,7 @@ TEST_P(Named, AndFailsTheComparison) {
 }
 
 TEST_F(Compare, SixteenBitFilesOfAFloatPictureAreNamed) {
-  const std::string tool = references::find_program("oiiotool");
+  const std::string tool = system::find_program("oiiotool");
   if (tool.empty()) GTEST_SKIP() << "oiiotool (openimageio-tools) is not installed";
   file("a.pfm", pfm(wide, high, colourful()));
   for (const std::string name : {"a.png", "a.tif"}) {
@@ -426,7 +426,7 @@ TEST_F(Compare, TransposedSizesAreNamed) {
 }
 
 TEST_F(Compare, AlphaIsNamed) {
-  const std::string oiiotool = references::find_program("oiiotool");
+  const std::string oiiotool = system::find_program("oiiotool");
   if (oiiotool.empty()) GTEST_SKIP() << "oiiotool (openimageio-tools) is not installed";
   run_shell("'" + oiiotool + "' --create 5x4 3 -d uint8 -o rgb.png && '" + oiiotool +
                 "' --create 5x4 4 -d uint8 -o rgba.png",
@@ -489,7 +489,7 @@ TEST_F(Compare, EightBitFilesGetLdrFlip) {
 // --- files read without OpenImageIO -------------------------------------------------------------------
 
 TEST_F(Compare, QuickFilesAreThoseThatOpenImageIoWrites) {
-  const std::string tool = references::find_program("oiiotool");
+  const std::string tool = system::find_program("oiiotool");
   if (tool.empty()) GTEST_SKIP() << "oiiotool (openimageio-tools) is not installed";
   file("a.pfm", pfm(wide, high, colourful()));
   for (const std::string to :
@@ -503,7 +503,7 @@ TEST_F(Compare, QuickFilesAreThoseThatOpenImageIoWrites) {
 }
 
 TEST_F(Compare, PngFiltersAreThoseOfOpenImageIo) {
-  const std::string tool = references::find_program("oiiotool");
+  const std::string tool = system::find_program("oiiotool");
   if (tool.empty()) GTEST_SKIP() << "oiiotool (openimageio-tools) is not installed";
   // The same picture as PNG and as TIFF, which OpenImageIO reads; gradients bring out every filter.
   for (const std::string channels : {"1", "3"}) {

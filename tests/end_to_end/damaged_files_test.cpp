@@ -17,7 +17,7 @@ void PrintTo(const Kind& kind, std::ostream* out) { *out << kind.name; }
 class Damaged : public testing::TestWithParam<Kind> {
  protected:
   void SetUp() override {
-    const std::string tool = references::find_program("oiiotool");
+    const std::string tool = system::find_program("oiiotool");
     if (tool.empty()) GTEST_SKIP() << "oiiotool (openimageio-tools) is not installed";
     workplace_.file("ball.sdf", std::string(ball_scene));
     const std::string directory = workplace_.directory();

@@ -39,10 +39,10 @@ TEST(Readme, EveryCommandRuns) {
   std::filesystem::create_symlink(PLUMB_BINARY, workplace.path("build/plumb"));
   for (const std::string& command : commands) {
     ASSERT_TRUE(command.starts_with("build/plumb ") || command.starts_with("mkdir ")) << command;
-    references::ProcessLimits no_memory_limit;  // AddressSanitizer reserves terabytes of address space
+    system::ProcessLimits no_memory_limit;  // AddressSanitizer reserves terabytes of address space
     no_memory_limit.memory_bytes = ~std::size_t{0};
     const auto result =
-        references::run_process({"/bin/sh", "-c", command}, workplace.directory(), no_memory_limit);
+        system::run_process({"/bin/sh", "-c", command}, workplace.directory(), no_memory_limit);
     EXPECT_EQ(result.exit_code, 0) << command << "\n" << result.output;
   }
   std::set<std::string> left;
@@ -60,7 +60,7 @@ TEST(Readme, IsShort) {
 
 /// What a document says of the catalogue's size is what it is.
 TEST(Documents, CountTheFaultsAsTheProgramDoes) {
-  const std::size_t size = references::fault_catalogue().size();
+  const std::size_t size = faults::fault_catalogue().size();
   std::size_t said = 0;
   for (const char* const name :
        {"README.md", "RESULTS.md", "BENCHMARKS.md", "DESIGN.md", "CONTRIBUTING.md"}) {

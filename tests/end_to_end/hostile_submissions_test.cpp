@@ -139,7 +139,7 @@ bool is_waited_for(const Hostile& hostile) { return contains(hostile.verdicts, "
 class HostileSubmissions : public testing::Test {
  protected:
   void SetUp() override {
-    references::require_sandbox();
+    submissions::require_sandbox();
     fs::create_directories(workplace_.path("scenes"));
     workplace_.file("scenes/s.sdf", std::string(ball_scene));
     workplace_.file("secret", "the secret");
@@ -179,13 +179,13 @@ class HostileSubmissions : public testing::Test {
   }
 
   void judge(const std::string& as_who, const std::string& of_class, const std::string& seconds) const {
-    references::ProcessLimits limits;
+    system::ProcessLimits limits;
     limits.memory_bytes = std::numeric_limits<std::size_t>::max();  // an address sanitizer reserves terabytes
     const std::string command = as_who + " \"$0\" judge --renderer '{submission}/run {scene} {image}'" +
                                 " --scenes scenes --submissions " + of_class + " --timeout " + seconds +
                                 " --memory 64 --disk 16 --json - 2> /dev/null";
     const auto result =
-        references::run_process({"/bin/sh", "-c", command, PLUMB_BINARY}, workplace_.directory(), limits);
+        system::run_process({"/bin/sh", "-c", command, PLUMB_BINARY}, workplace_.directory(), limits);
     const Json all = Json::parse(result.output, nullptr, false);
     ASSERT_TRUE(all.is_object()) << result.output;
     EXPECT_EQ(all["pictures"].size(), expected_.at(of_class).size());

@@ -31,7 +31,7 @@ class JudgeClass : public testing::Test {
     workplace_.file("in/" + name + "/" + file, picture);
   }
   /// "$0" is the program; $JUDGE begins a command that judges.
-  references::ProcessResult shell(const std::string& command) const {
+  system::ProcessResult shell(const std::string& command) const {
     return run_shell("JUDGE=\"$0 judge --scenes scenes --jobs 1\"; " + command, workplace_.directory());
   }
   Json json(const std::string& file = "j.json") const {
@@ -125,7 +125,7 @@ class JudgeClassRuns : public JudgeClass {
  protected:
   void SetUp() override {
     try {
-      references::require_sandbox();
+      submissions::require_sandbox();
     } catch (const std::runtime_error& error) {
       GTEST_SKIP() << error.what();
     }
@@ -236,9 +236,7 @@ class JudgeBesideResults : public JudgeClassRuns {
             "#!/bin/sh\nbeside=$(dirname \"$0\")/beside\n[ ! -e $beside ] || . $beside\nexec \"$@\"\n"),
         fs::perms(0755));
   }
-  references::ProcessResult in_place(const std::string& command) const {
-    return shell("cd teach; " + command);
-  }
+  system::ProcessResult in_place(const std::string& command) const { return shell("cd teach; " + command); }
   static constexpr const char* json_file = "teach/j.json";
   static constexpr const char* run_beside =
       "$JUDGE --renderer './run.sh {submission} {scene} {image}' --submissions class --timeout "

@@ -56,7 +56,7 @@ class JudgeRuns : public JudgeCommand {
  protected:
   void SetUp() override {
     try {
-      references::require_sandbox();
+      submissions::require_sandbox();
     } catch (const std::runtime_error& error) {
       GTEST_SKIP() << error.what();
     }
@@ -64,7 +64,7 @@ class JudgeRuns : public JudgeCommand {
 };
 
 TEST_F(JudgeRuns, SaysWhichLimitsTheKernelDoesNotKeep) {
-  const std::string weaker = references::limits_not_enforced();
+  const std::string weaker = submissions::limits_not_enforced();
   const Outcome outcome =
       judge({"--renderer", tracer() + " render {scene} -o {image}", "--json", "-", "--report", "report"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;

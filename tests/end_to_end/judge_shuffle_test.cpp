@@ -14,7 +14,7 @@ class JudgeShuffle : public testing::Test {
  protected:
   void SetUp() override {
     try {
-      references::require_sandbox();
+      submissions::require_sandbox();
     } catch (const std::runtime_error& error) {
       GTEST_SKIP() << error.what();
     }

@@ -20,7 +20,7 @@ class Leftovers : public testing::Test {
     fs::create_directories(workplace_.path("tmp"));
     workplace_.file("scenes/ball.sdf", std::string(ball_scene));
   }
-  references::ProcessResult shell(const std::string& command) const {
+  system::ProcessResult shell(const std::string& command) const {
     return run_shell("TMPDIR=$PWD/tmp; export TMPDIR; " + command, workplace_.directory());
   }
   /// Kills the run, with all it started, as soon as something stands in `place`, and says what.

@@ -171,7 +171,7 @@ TEST_F(Lint, BothPolaritiesOfOpacityAreProposed) {
 }
 
 TEST_F(Lint, AProposalIsVerifiedAgainstPovRay) {
-  if (references::find_program("povray").empty()) GTEST_SKIP() << "POV-RAY IS NOT INSTALLED";
+  if (system::find_program("povray").empty()) GTEST_SKIP() << "POV-RAY IS NOT INSTALLED";
   file("people.sdf", as_people_write);
   const auto dialects = proposals(lint({"people.sdf"}).out);
   ASSERT_FALSE(dialects.empty());

@@ -221,7 +221,7 @@ TEST_F(Gate, ASignalWaitsUntilImagesAndRecordsAreOfOneUpdate) {
       "until [ -e scenes/baselines/s0.exr ]; do :; done; kill -TERM $!; wait $!; echo code $?",
       workplace_.directory());
   EXPECT_TRUE(contains(told.output, "code 143")) << told.output;
-  const references::Baselines baselines(workplace_.path("scenes/baselines"));
+  const renderers::Baselines baselines(workplace_.path("scenes/baselines"));
   EXPECT_EQ(baselines.all().size(), many);
   EXPECT_EQ(baselines.names().size(), many);
 }

@@ -20,7 +20,7 @@ class OtherRenderer : public testing::Test {
  protected:
   void SetUp() override {
     try {
-      references::require_sandbox();
+      submissions::require_sandbox();
     } catch (const std::runtime_error& error) {
       GTEST_SKIP() << error.what();
     }

@@ -16,15 +16,15 @@ namespace plumb::tests {
 namespace {
 
 namespace fs = std::filesystem;
-using references::Ending;
-using references::run_confined;
-using references::SandboxLimits;
-using references::SandboxRun;
-using references::SandboxView;
+using submissions::Ending;
+using submissions::run_confined;
+using submissions::SandboxLimits;
+using submissions::SandboxRun;
+using submissions::SandboxView;
 
 class SandboxPlaces : public testing::Test {
  protected:
-  void SetUp() override { references::require_sandbox(); }
+  void SetUp() override { submissions::require_sandbox(); }
 
   std::string made(const std::string& name, const std::string& text) const {
     fs::create_directories(fs::path(workplace_.path(name)).parent_path());
@@ -115,7 +115,7 @@ TEST_F(SandboxPlaces, ThePlacesThatPeopleUse) {
   if (geteuid() != 0) GTEST_SKIP() << "only root may make directories there";
   for (const char* const top : {"/home", "/root", "/srv", "/opt", "/var/tmp", "/tmp", "/mnt", "/var/lib"}) {
     if (!fs::is_directory(top)) continue;
-    const references::TemporaryDirectory directory{std::string(top)};
+    const system::TemporaryDirectory directory{std::string(top)};
     fs::permissions(directory.path(), fs::perms(0755));
     const std::string program = directory.path() + "/program";
     write_file(program, "#!/bin/sh\necho ran\n");
@@ -129,7 +129,7 @@ TEST_F(SandboxPlaces, WhatCannotBeShownIsTrouble) {
   EXPECT_THROW(run_confined({"/bin/true"}, {{}, {"/tmp"}, {}}, {}), std::runtime_error);
   EXPECT_THROW(run_confined({"/bin/true"}, {{}, {"/tmp/judged/"}, {}}, {}), std::runtime_error);
   try {
-    references::require_sandbox({{}, {workplace_.path("none")}, {}}, workplace_.path("none"));
+    submissions::require_sandbox({{}, {workplace_.path("none")}, {}}, workplace_.path("none"));
     ADD_FAILURE() << "a program that is not there was found";
   } catch (const std::runtime_error& error) {
     expect_own_words(error.what(), {workplace_.path("none"), "--readable"});
@@ -179,12 +179,12 @@ TEST_F(SandboxPlaces, PlumbIsShownWhereItIsAskedForAlone) {
 }
 
 TEST(LimitsNotEnforced, AreSaidWhereTheKernelKeepsNone) {
-  const references::ControlGroups& here = references::control_groups();
-  EXPECT_EQ(references::limits_not_enforced().empty(), here.keeps_memory && here.keeps_tasks);
+  const submissions::ControlGroups& here = submissions::control_groups();
+  EXPECT_EQ(submissions::limits_not_enforced().empty(), here.keeps_memory && here.keeps_tasks);
 }
 
 TEST(ControlGroup, CountsWhatNobodyWaitedFor) {
-  const references::ControlGroup group(SandboxLimits{});
+  const submissions::ControlGroup group(SandboxLimits{});
   if (group.entrance() < 0) GTEST_SKIP() << "no group of cgroup v2 can be made here";
   const pid_t child = fork();
   if (child == 0) {

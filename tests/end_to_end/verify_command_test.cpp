@@ -25,7 +25,7 @@ std::size_t lines_in(const std::string& text) {
 class Verify : public testing::Test {
  protected:
   void SetUp() override {
-    povray_ = references::find_program("povray");
+    povray_ = system::find_program("povray");
     if (povray_.empty()) GTEST_SKIP() << "POV-RAY IS NOT INSTALLED: verify is not tested";
     workplace_.file("ball.sdf", std::string(ball_scene));
   }

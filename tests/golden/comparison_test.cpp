@@ -10,8 +10,8 @@
 namespace plumb::tests {
 namespace {
 
-using references::compare;
-using references::Comparison;
+using comparison::compare;
+using comparison::Comparison;
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 constexpr float infinity = std::numeric_limits<float>::infinity();
@@ -90,9 +90,9 @@ TEST(Comparison, WhatIsNotFiniteAlwaysFails) {
     EXPECT_EQ(result.non_finite, 1U) << c.what;
     EXPECT_EQ(result.pixels_over, 1U) << c.what;
     EXPECT_FALSE(result.agrees()) << c.what;
-    EXPECT_FALSE(references::is_within(pixel_of(c.reference).pixel(0, 0), pixel_of(c.test).pixel(0, 0), 1e30))
+    EXPECT_FALSE(comparison::is_within(pixel_of(c.reference).pixel(0, 0), pixel_of(c.test).pixel(0, 0), 1e30))
         << c.what;
-    EXPECT_EQ(references::pixels_over(pixel_of(c.reference), pixel_of(c.test), 1e30).size(), 1U) << c.what;
+    EXPECT_EQ(comparison::pixels_over(pixel_of(c.reference), pixel_of(c.test), 1e30).size(), 1U) << c.what;
   }
 }
 
@@ -149,7 +149,7 @@ TEST(Comparison, AnyComponentMayDiffer) {
     test.rgb[i] += 0.01F;
     const Comparison c = compare(reference, test, 1e-6);
     EXPECT_EQ(c.pixels_over, 1U) << i;
-    const auto places = references::pixels_over(reference, test, 1e-6);
+    const auto places = comparison::pixels_over(reference, test, 1e-6);
     ASSERT_EQ(places.size(), 1U) << i;
     EXPECT_EQ(static_cast<std::size_t>(places[0].y * 2 + places[0].x), i / 3);
   }
@@ -159,7 +159,7 @@ TEST(Comparison, PlacesAreToldRowByRow) {
   const Image reference(3, 2);
   Image test(3, 2);
   for (const auto& [x, y] : {std::pair{2, 0}, {0, 1}, {1, 1}}) test.pixel(x, y)[2] = 1;
-  const auto places = references::pixels_over(reference, test, 0.5);
+  const auto places = comparison::pixels_over(reference, test, 0.5);
   ASSERT_EQ(places.size(), 3U);
   EXPECT_EQ((std::pair{places[0].x, places[0].y}), (std::pair{2, 0}));
   EXPECT_EQ((std::pair{places[1].x, places[1].y}), (std::pair{0, 1}));

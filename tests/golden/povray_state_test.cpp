@@ -15,7 +15,7 @@
 namespace plumb::tests {
 namespace {
 
-using references::read_povray_state;
+using renderers::read_povray_state;
 
 constexpr int width = 5;
 constexpr int height = 4;

@@ -10,7 +10,7 @@
 #include "tests/support/room_scene.hpp"
 #include "tracer/format/reader.hpp"
 
-namespace plumb::references {
+namespace plumb::tests {
 namespace {
 
 constexpr const char* another = R"(define material grey 0.4 0.4 0.4 0.5 0.5 0.5 0.3 0.3 0.3 20
@@ -33,7 +33,7 @@ Scene in_other_colours(Scene scene) {
   return scene;
 }
 
-bool names(const CameraFound& camera, const Fault* fault) {
+bool names(const diagnosis::CameraFound& camera, const faults::Fault* fault) {
   for (std::size_t i = 0; i < camera.assumed.size(); ++i) {
     const auto& alike = camera.alike[i];
     const bool is_it =
@@ -50,10 +50,12 @@ class GeometryOf : public testing::TestWithParam<const char*> {};
 TEST_P(GeometryOf, TheFaultIsNamedWhateverTheColours) {
   const Scene scene = read_scene(tests::room_scene).scene;
   const std::string id = GetParam();
-  const Fault* const fault = find_fault(id) != nullptr ? find_fault(id) : find_geometry_family(id);
+  const faults::Fault* const fault =
+      faults::find_fault(id) != nullptr ? faults::find_fault(id) : faults::find_geometry_family(id);
   ASSERT_NE(fault, nullptr);
-  const auto found = geometry_of(scene, scene.cameras.front(), geometry_job,
-                                 tests::picture_of(in_other_colours(scene), geometry_job, {fault}));
+  const auto found =
+      diagnosis::geometry_of(scene, scene.cameras.front(), geometry_job,
+                             tests::picture_of(in_other_colours(scene), geometry_job, {fault}));
   ASSERT_TRUE(found);
   EXPECT_FALSE(found->camera.is_right);
   EXPECT_TRUE(names(found->camera, fault));
@@ -74,10 +76,11 @@ INSTANTIATE_TEST_SUITE_P(Faults, GeometryOf,
 
 TEST(Geometry, TwoFaultsAreNamedTogether) {
   const Scene scene = read_scene(tests::room_scene).scene;
-  const Fault* const field = find_fault("full-angle-as-half");
-  const Fault* const aspect = find_fault("aspect-ignored");
-  const auto found = geometry_of(scene, scene.cameras.front(), geometry_job,
-                                 tests::picture_of(in_other_colours(scene), geometry_job, {field, aspect}));
+  const faults::Fault* const field = faults::find_fault("full-angle-as-half");
+  const faults::Fault* const aspect = faults::find_fault("aspect-ignored");
+  const auto found =
+      diagnosis::geometry_of(scene, scene.cameras.front(), geometry_job,
+                             tests::picture_of(in_other_colours(scene), geometry_job, {field, aspect}));
   ASSERT_TRUE(found);
   EXPECT_TRUE(names(found->camera, field));
   EXPECT_TRUE(names(found->camera, aspect));
@@ -85,8 +88,8 @@ TEST(Geometry, TwoFaultsAreNamedTogether) {
 
 TEST(Geometry, ARightCameraIsRightWhateverTheColours) {
   const Scene scene = read_scene(tests::room_scene).scene;
-  const auto found = geometry_of(scene, scene.cameras.front(), geometry_job,
-                                 tests::picture_of(in_other_colours(scene), geometry_job, {}));
+  const auto found = diagnosis::geometry_of(scene, scene.cameras.front(), geometry_job,
+                                            tests::picture_of(in_other_colours(scene), geometry_job, {}));
   ASSERT_TRUE(found);
   EXPECT_TRUE(found->camera.is_right);
   EXPECT_TRUE(found->camera.faults.empty());
@@ -96,24 +99,25 @@ TEST(Geometry, ARightCameraIsRightWhateverTheColours) {
 
 TEST(Geometry, AnotherScenesPictureAccusesNobody) {
   const Scene scene = read_scene(tests::room_scene).scene;
-  const auto found = geometry_of(scene, scene.cameras.front(), geometry_job,
-                                 tests::picture_of(read_scene(another).scene, geometry_job, {}));
+  const auto found = diagnosis::geometry_of(scene, scene.cameras.front(), geometry_job,
+                                            tests::picture_of(read_scene(another).scene, geometry_job, {}));
   EXPECT_TRUE(!found || (found->camera.faults.empty() && !found->camera.is_right));
 }
 
 TEST(Geometry, AFaultOfTheCameraIsNamedBesideColoursThatNothingExplains) {
   const Scene scene = read_scene(tests::room_scene).scene;
-  const Fault* const aspect = find_fault("aspect-ignored");
-  const Diagnosis found = diagnose(scene, scene.cameras.front(), geometry_job,
-                                   tests::picture_of(in_other_colours(scene), geometry_job, {aspect}));
-  EXPECT_EQ(found.verdict, PictureVerdict::faults);
+  const faults::Fault* const aspect = faults::find_fault("aspect-ignored");
+  const diagnosis::Diagnosis found =
+      diagnosis::diagnose(scene, scene.cameras.front(), geometry_job,
+                          tests::picture_of(in_other_colours(scene), geometry_job, {aspect}));
+  EXPECT_EQ(found.verdict, diagnosis::PictureVerdict::faults);
   ASSERT_EQ(found.faults.size(), 1U);
   EXPECT_EQ(found.faults.front().fault, aspect);
   EXPECT_FALSE(found.explains_all());
-  EXPECT_EQ(found.certain.camera, Certainty::wrong);
+  EXPECT_EQ(found.certain.camera, diagnosis::Certainty::wrong);
   ASSERT_EQ(found.habits.size(), 1U);
   EXPECT_EQ(found.habits.front().id, "background");
 }
 
 }  // namespace
-}  // namespace plumb::references
+}  // namespace plumb::tests

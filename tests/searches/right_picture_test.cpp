@@ -13,7 +13,7 @@
 #include "tests/support/run.hpp"
 #include "tracer/format/reader.hpp"
 
-namespace plumb::references {
+namespace plumb::tests {
 namespace {
 
 struct Subject {
@@ -40,11 +40,11 @@ Subject random_subject(unsigned seed) {
   return subject;
 }
 
-Image rendered(const Subject& subject, OwnTracer renderer = OwnTracer::engine,
+Image rendered(const Subject& subject, renderers::OwnTracer renderer = renderers::OwnTracer::engine,
                RealType real = RealType::float64) {
   RenderJob job = subject.job;
   job.real = real;
-  return render(renderer, subject.scene, subject.scene.cameras.front(), job);
+  return renderers::render(renderer, subject.scene, subject.scene.cameras.front(), job);
 }
 
 /// How other people's programs write a colour.
@@ -94,24 +94,26 @@ ImageFile written(const Image& image, const Format& format) {
   return file;
 }
 
-Diagnosis diagnosed(const Subject& subject, const ImageFile& file, std::optional<double> tolerance = {}) {
-  return diagnose(subject.scene, subject.scene.cameras.front(), subject.job, file, tolerance);
+diagnosis::Diagnosis diagnosed(const Subject& subject, const ImageFile& file,
+                               std::optional<double> tolerance = {}) {
+  return diagnosis::diagnose(subject.scene, subject.scene.cameras.front(), subject.job, file, tolerance);
 }
 
-void expect_right_in_all_formats(const Subject& subject, OwnTracer renderer, RealType real) {
+void expect_right_in_all_formats(const Subject& subject, renderers::OwnTracer renderer, RealType real) {
   const Image image = rendered(subject, renderer, real);
   for (const Format& format : formats()) {
-    const Diagnosis found = diagnosed(subject, written(image, format));
-    EXPECT_EQ(found.verdict, PictureVerdict::right)
-        << format.name << ": " << summary_of(found) << ", " << found.encoding.in_words();
+    const diagnosis::Diagnosis found = diagnosed(subject, written(image, format));
+    EXPECT_EQ(found.verdict, diagnosis::PictureVerdict::right)
+        << format.name << ": " << diagnosis::summary_of(found) << ", " << found.encoding.in_words();
   }
 }
 
 /// Each scene by another tracer: each of all scenes in all formats by all tracers takes minutes.
 TEST(RightPicture, OfRealTracersIsRightInEveryFormat) {
-  const std::pair<OwnTracer, RealType> tracers[] = {{OwnTracer::engine, RealType::float32},
-                                                    {OwnTracer::textbook, RealType::float32},
-                                                    {OwnTracer::textbook, RealType::float64}};
+  const std::pair<renderers::OwnTracer, RealType> tracers[] = {
+      {renderers::OwnTracer::engine, RealType::float32},
+      {renderers::OwnTracer::textbook, RealType::float32},
+      {renderers::OwnTracer::textbook, RealType::float64}};
   std::size_t next = 0;
   const auto expect_right = [&](const Subject& subject) {
     const auto& [renderer, real] = tracers[next++ % std::size(tracers)];
@@ -135,9 +137,10 @@ void expect_not_right(const std::string& file, const std::string& from, const st
   ASSERT_NE(at, std::string::npos) << from;
   std::string other = text;
   other.replace(at, from.size(), to);
-  const Diagnosis found = diagnosed(named_scene(text), written(rendered(named_scene(other)), format));
-  EXPECT_NE(found.verdict, PictureVerdict::right) << to << ", " << format.name;
-  EXPECT_NE(found.verdict, PictureVerdict::faults) << to << ", " << format.name;
+  const diagnosis::Diagnosis found =
+      diagnosed(named_scene(text), written(rendered(named_scene(other)), format));
+  EXPECT_NE(found.verdict, diagnosis::PictureVerdict::right) << to << ", " << format.name;
+  EXPECT_NE(found.verdict, diagnosis::PictureVerdict::faults) << to << ", " << format.name;
   EXPECT_GT(found.unexplained_pixels, 0U);
 }
 
@@ -163,9 +166,9 @@ TEST(RightPicture, OfASmoothDifferenceHasNoEdges) {
     ASSERT_NE(at, std::string::npos) << from;
     std::string other = text;
     other.replace(at, std::string(from).size(), to);
-    const Diagnosis found =
+    const diagnosis::Diagnosis found =
         diagnosed(named_scene(text), written(rendered(named_scene(other)), formats()[format]));
-    EXPECT_NE(found.verdict, PictureVerdict::right) << to;
+    EXPECT_NE(found.verdict, diagnosis::PictureVerdict::right) << to;
     EXPECT_EQ(found.edges, 0U) << to;
   }
 }
@@ -180,8 +183,8 @@ TEST(RightPicture, HasItsThinShapes) {
   Subject without = named_scene(rest);
   subject.job = without.job = job_of(160, 120);
   for (const std::size_t format : {0U, 6U}) {
-    const Diagnosis found = diagnosed(subject, written(rendered(without), formats()[format]));
-    EXPECT_NE(found.verdict, PictureVerdict::right) << format;
+    const diagnosis::Diagnosis found = diagnosed(subject, written(rendered(without), formats()[format]));
+    EXPECT_NE(found.verdict, diagnosis::PictureVerdict::right) << format;
     EXPECT_GE(found.unexplained_pixels, 120U) << format;
   }
 }
@@ -198,8 +201,10 @@ TEST(RightPicture, HasItsLargeBoxesAtTheirPlaces) {
   };
   const Subject subject = scene("-1");
   for (const Format& format : {formats()[0], formats()[6]}) {
-    EXPECT_EQ(diagnosed(subject, written(rendered(subject), format)).verdict, PictureVerdict::right);
-    EXPECT_NE(diagnosed(subject, written(rendered(scene("-1.005")), format)).verdict, PictureVerdict::right)
+    EXPECT_EQ(diagnosed(subject, written(rendered(subject), format)).verdict,
+              diagnosis::PictureVerdict::right);
+    EXPECT_NE(diagnosed(subject, written(rendered(scene("-1.005")), format)).verdict,
+              diagnosis::PictureVerdict::right)
         << format.name;
   }
 }
@@ -212,9 +217,9 @@ TEST(RightPicture, HasTheFirstOfSurfacesAtOnePlace) {
                     b = "define shape box b -0.5 -1 -6 1 1 -4 g\n";
   const std::string tail = "ambient 1 1 1\ndefine camera c 60\nrender c p.ppm 120 90\n";
   const Subject subject = named_scene(head + a + b + tail);
-  const Diagnosis found =
+  const diagnosis::Diagnosis found =
       diagnosed(subject, written(rendered(named_scene(head + b + a + tail)), formats()[0]));
-  EXPECT_NE(found.verdict, PictureVerdict::right);
+  EXPECT_NE(found.verdict, diagnosis::PictureVerdict::right);
   EXPECT_LT(found.edges, 100U);
 }
 
@@ -223,14 +228,15 @@ TEST(RightPicture, IsAsNearBesideAJump) {
   Subject subject = named_scene(text_of("shadow.sdf"));
   subject.job = job_of(160, 120);
   const Image in_double = rendered(subject);
-  const Image in_float = rendered(subject, OwnTracer::engine, RealType::float32);
-  const FloatErrors errors =
-      float_errors(subject.scene, subject.scene.cameras.front(), subject.job, in_double);
+  const Image in_float = rendered(subject, renderers::OwnTracer::engine, RealType::float32);
+  const diagnosis::FloatErrors errors =
+      diagnosis::float_errors(subject.scene, subject.scene.cameras.front(), subject.job, in_double);
   for (std::size_t i = 0; i < errors.allowed.size(); ++i) {
     EXPECT_GE(errors.allowed[i], 1e-6F);
     EXPECT_LE(errors.allowed[i], 1e-4F) << "pixel " << i;
   }
-  EXPECT_FALSE(pixels_over(in_double, in_float, 1e-3).empty()) << "no pixel jumps, which this is about";
+  EXPECT_FALSE(comparison::pixels_over(in_double, in_float, 1e-3).empty())
+      << "no pixel jumps, which this is about";
 }
 
 /// A curve is steepest at 0, and what is exactly 0 is no more than that.
@@ -243,7 +249,7 @@ TEST(RightPicture, IsBlackUnderACurve) {
     ASSERT_EQ(image.rgb[0], 0.0F);
     const bool is_8_bits = format.sample == Sample::bits8;
     file.values[0] = is_8_bits ? 4.0F / 255 : 118.0F / 65535;
-    EXPECT_NE(diagnosed(subject, file).verdict, PictureVerdict::right) << format.name;
+    EXPECT_NE(diagnosed(subject, file).verdict, diagnosis::PictureVerdict::right) << format.name;
   }
 }
 
@@ -260,13 +266,14 @@ TEST(RightPicture, OfSixteenBitsIsRightToTheStep) {
   const Subject subject = named_scene(text_of("combined-still-life.sdf"));
   const Format truncated_16{"16 bits", Sample::bits16, [](float c) { return truncated(c, 65535); }};
   const ImageFile right = written(rendered(subject), truncated_16);
-  EXPECT_EQ(diagnosed(subject, right).verdict, PictureVerdict::right);
+  EXPECT_EQ(diagnosed(subject, right).verdict, diagnosis::PictureVerdict::right);
   const ImageFile equal_parts = written(
       rendered(subject), {"65536 equal parts", Sample::bits16,
                           [](float c) { return std::min(std::floor(held(c) * 65536), 65535.0F) / 65535; }});
-  EXPECT_EQ(diagnosed(subject, equal_parts).verdict, PictureVerdict::right);
+  EXPECT_EQ(diagnosed(subject, equal_parts).verdict, diagnosis::PictureVerdict::right);
   for (const float steps : {1.0F, 2.0F})
-    EXPECT_NE(diagnosed(subject, with_noise(right, steps / 65535)).verdict, PictureVerdict::right) << steps;
+    EXPECT_NE(diagnosed(subject, with_noise(right, steps / 65535)).verdict, diagnosis::PictureVerdict::right)
+        << steps;
 }
 
 /// Eight bits for each channel, and an exponent for all.
@@ -283,9 +290,9 @@ TEST(RightPicture, OfASharedExponentIsRightToTheStep) {
       wrong.values[c] = std::max(0.0F, right.values[c] - step);
     }
   }
-  EXPECT_EQ(diagnosed(subject, right).verdict, PictureVerdict::right);
-  const Diagnosis found = diagnosed(subject, wrong);
-  EXPECT_NE(found.verdict, PictureVerdict::right);
+  EXPECT_EQ(diagnosed(subject, right).verdict, diagnosis::PictureVerdict::right);
+  const diagnosis::Diagnosis found = diagnosed(subject, wrong);
+  EXPECT_NE(found.verdict, diagnosis::PictureVerdict::right);
   EXPECT_GE(found.unexplained_pixels, found.pixels / 2);
 }
 
@@ -294,12 +301,13 @@ TEST(RightPicture, ApartFromAShapeNamesIt) {
   std::string text = text_of("phong.sdf");
   const Subject without = named_scene(text);
   text.insert(text.find("define light"), tiny);
-  const Diagnosis found = diagnosed(named_scene(text), written(rendered(without), formats()[0]));
-  EXPECT_EQ(found.verdict, PictureVerdict::right_apart);
+  const diagnosis::Diagnosis found = diagnosed(named_scene(text), written(rendered(without), formats()[0]));
+  EXPECT_EQ(found.verdict, diagnosis::PictureVerdict::right_apart);
   ASSERT_EQ(found.shapes.size(), 1U);
   EXPECT_EQ(found.shapes.front().name, "tiny");
   EXPECT_EQ(found.shapes.front().pixels, found.unexplained_pixels);
-  EXPECT_TRUE(summary_of(found).ends_with("pixels, all on 'tiny'")) << summary_of(found);
+  EXPECT_TRUE(diagnosis::summary_of(found).ends_with("pixels, all on 'tiny'"))
+      << diagnosis::summary_of(found);
 }
 
 TEST(RightPicture, ApartFromSomePixelsIsNotRight) {
@@ -307,18 +315,18 @@ TEST(RightPicture, ApartFromSomePixelsIsNotRight) {
   ImageFile file = written(rendered(subject), formats()[0]);
   std::mt19937 random(1);
   for (int i = 0; i < 100; ++i) file.values[random() % file.values.size()] += 3.0F / 255;
-  const Diagnosis found = diagnosed(subject, file);
-  EXPECT_EQ(found.verdict, PictureVerdict::right_apart);
+  const diagnosis::Diagnosis found = diagnosed(subject, file);
+  EXPECT_EQ(found.verdict, diagnosis::PictureVerdict::right_apart);
   EXPECT_GT(found.unexplained_pixels, 90U);
-  EXPECT_EQ(diagnosed(subject, file, 3.1 / 255).verdict, PictureVerdict::right);
+  EXPECT_EQ(diagnosed(subject, file, 3.1 / 255).verdict, diagnosis::PictureVerdict::right);
 }
 
 TEST(RightPicture, OfFloatsIsAsNearAsTheToleranceSays) {
   const Subject subject = named_scene(text_of("phong.sdf"));
   ImageFile file = written(rendered(subject), formats()[6]);
   for (float& value : file.values) value += 1e-3F;
-  EXPECT_NE(diagnosed(subject, file).verdict, PictureVerdict::right);
-  EXPECT_EQ(diagnosed(subject, file, 1.1e-3).verdict, PictureVerdict::right);
+  EXPECT_NE(diagnosed(subject, file).verdict, diagnosis::PictureVerdict::right);
+  EXPECT_EQ(diagnosed(subject, file, 1.1e-3).verdict, diagnosis::PictureVerdict::right);
 }
 
 TEST(RightPicture, MayHaveFewerLevels) {
@@ -330,8 +338,9 @@ TEST(RightPicture, MayHaveFewerLevels) {
     const Format spread{"", Sample::bits8, [&](float c) { return as_8_bits(c, steps); }};
     const Format cut{"", Sample::bits8, [&](float c) { return truncated(tone(c), steps); }};
     for (const Format& format : {exact, spread, cut}) {
-      const Diagnosis found = diagnosed(subject, written(image, format));
-      EXPECT_EQ(found.verdict, PictureVerdict::right) << steps << ": " << summary_of(found);
+      const diagnosis::Diagnosis found = diagnosed(subject, written(image, format));
+      EXPECT_EQ(found.verdict, diagnosis::PictureVerdict::right)
+          << steps << ": " << diagnosis::summary_of(found);
       EXPECT_EQ(found.encoding.levels[0], steps + 1);
     }
   }
@@ -351,13 +360,14 @@ TEST(RightPicture, MayBeReducedFromEightBits) {
             const auto step = std::lround(byte(c) * steps / 255.0);
             return static_cast<float>(std::lround(static_cast<double>(step) * 255.0 / steps)) / 255;
           }};
-      EXPECT_EQ(diagnosed(subject, written(image, rounded_again)).verdict, PictureVerdict::right) << steps;
+      EXPECT_EQ(diagnosed(subject, written(image, rounded_again)).verdict, diagnosis::PictureVerdict::right)
+          << steps;
     }
     const Format repeated_bits{"", Sample::bits8, [&](float c) {
                                  const int bits = byte(c) >> 3;
                                  return static_cast<float>(bits << 3 | bits >> 2) / 255;
                                }};
-    EXPECT_EQ(diagnosed(subject, written(image, repeated_bits)).verdict, PictureVerdict::right);
+    EXPECT_EQ(diagnosed(subject, written(image, repeated_bits)).verdict, diagnosis::PictureVerdict::right);
   }
 }
 
@@ -366,8 +376,8 @@ TEST(RightPicture, HasNoFewerLevelsThanScreensHave) {
   for (const int steps : {7, 30}) {
     const Format coarse{"", Sample::bits8,
                         [&](float c) { return std::round(255 * truncated(c, steps)) / 255; }};
-    const Diagnosis found = diagnosed(subject, written(rendered(subject), coarse));
-    EXPECT_NE(found.verdict, PictureVerdict::right) << steps;
+    const diagnosis::Diagnosis found = diagnosed(subject, written(rendered(subject), coarse));
+    EXPECT_NE(found.verdict, diagnosis::PictureVerdict::right) << steps;
   }
 }
 
@@ -379,8 +389,8 @@ TEST(RightPicture, MayHaveOtherLevelsInEachChannel) {
     const int byte = static_cast<int>(std::lround(255 * file.values[i]));
     file.values[i] = static_cast<float>(byte >> dropped << dropped) / 255;
   }
-  const Diagnosis found = diagnosed(subject, file);
-  EXPECT_EQ(found.verdict, PictureVerdict::right) << summary_of(found);
+  const diagnosis::Diagnosis found = diagnosed(subject, file);
+  EXPECT_EQ(found.verdict, diagnosis::PictureVerdict::right) << diagnosis::summary_of(found);
   EXPECT_EQ(found.encoding.levels, (std::array{32, 64, 32}));
 }
 
@@ -395,10 +405,10 @@ TEST(RightPicture, OfFewerLevelsMayStillBeWrong) {
                           return std::floor(std::floor(factor * 255 * tone(c)) / 8) * 8 / 255;
                         }};
     const Subject subject = named_scene(text_of("phong.sdf"));
-    const Diagnosis found = diagnosed(subject, written(rendered(subject), scaled));
-    EXPECT_NE(found.verdict, PictureVerdict::right) << factor << ": " << found.encoding.in_words();
+    const diagnosis::Diagnosis found = diagnosed(subject, written(rendered(subject), scaled));
+    EXPECT_NE(found.verdict, diagnosis::PictureVerdict::right) << factor << ": " << found.encoding.in_words();
   }
 }
 
 }  // namespace
-}  // namespace plumb::references
+}  // namespace plumb::tests

@@ -10,7 +10,7 @@
 #include "tests/support/room_scene.hpp"
 #include "tracer/format/reader.hpp"
 
-namespace plumb::references {
+namespace plumb::tests {
 namespace {
 
 const textbook::RenderJob shading_job = tests::job_of(360, 240);
@@ -32,14 +32,16 @@ Scene with_background(Scene scene, const Rgbd& background) {
   return scene;
 }
 
-Diagnosis diagnosed(const Scene& asked, const Scene& painted, const std::vector<const Fault*>& faults) {
-  return diagnose(asked, asked.cameras.front(), shading_job, tests::picture_of(painted, shading_job, faults));
+diagnosis::Diagnosis diagnosed(const Scene& asked, const Scene& painted,
+                               const std::vector<const faults::Fault*>& faults) {
+  return diagnosis::diagnose(asked, asked.cameras.front(), shading_job,
+                             tests::picture_of(painted, shading_job, faults));
 }
 
 /// A fault of the catalogue, or the member of a family with this constant.
-const Fault* fault_of(const std::string& id, double value) {
-  if (std::isnan(value)) return find_fault(id);
-  for (const Fault& fault : shading_families())
+const faults::Fault* fault_of(const std::string& id, double value) {
+  if (std::isnan(value)) return faults::find_fault(id);
+  for (const faults::Fault& fault : faults::shading_families())
     if (fault.id == id && fault.value == value) return &fault;
   return nullptr;
 }
@@ -53,16 +55,16 @@ class ShadingOf : public testing::TestWithParam<Named> {};
 
 /// With a background of its own, which no search over formulas explains.
 TEST_P(ShadingOf, TheFaultIsNamedFirstAndNothingElse) {
-  const Fault* const fault = fault_of(GetParam().id, GetParam().value);
+  const faults::Fault* const fault = fault_of(GetParam().id, GetParam().value);
   ASSERT_NE(fault, nullptr);
   const Scene scene = room();
-  const Diagnosis found = diagnosed(scene, with_background(scene, {0.9, 0.5, 0.1}), {fault});
-  EXPECT_EQ(found.verdict, PictureVerdict::faults);
+  const diagnosis::Diagnosis found = diagnosed(scene, with_background(scene, {0.9, 0.5, 0.1}), {fault});
+  EXPECT_EQ(found.verdict, diagnosis::PictureVerdict::faults);
   ASSERT_EQ(found.faults.size(), 1U);
   EXPECT_EQ(found.faults.front().fault->id, fault->id);
   EXPECT_GT(found.faults.front().pixels, 0U);
   EXPECT_GE(found.faults.front().changed, found.faults.front().pixels / 2);
-  EXPECT_EQ(found.certain.camera, Certainty::right);
+  EXPECT_EQ(found.certain.camera, diagnosis::Certainty::right);
   ASSERT_EQ(found.habits.size(), 1U);
   EXPECT_EQ(found.habits.front().id, "background");
 }
@@ -81,12 +83,12 @@ INSTANTIATE_TEST_SUITE_P(Faults, ShadingOf,
 
 TEST(Shading, IsRightBesideAnotherBackground) {
   const Scene scene = room();
-  const Diagnosis found = diagnosed(scene, with_background(scene, {0.9, 0.5, 0.1}), {});
-  EXPECT_EQ(found.verdict, PictureVerdict::right_apart);
+  const diagnosis::Diagnosis found = diagnosed(scene, with_background(scene, {0.9, 0.5, 0.1}), {});
+  EXPECT_EQ(found.verdict, diagnosis::PictureVerdict::right_apart);
   EXPECT_TRUE(found.faults.empty());
-  EXPECT_EQ(found.certain.camera, Certainty::right);
-  EXPECT_EQ(found.certain.shadows, Certainty::right);
-  EXPECT_EQ(found.certain.shading, Certainty::right);
+  EXPECT_EQ(found.certain.camera, diagnosis::Certainty::right);
+  EXPECT_EQ(found.certain.shadows, diagnosis::Certainty::right);
+  EXPECT_EQ(found.certain.shading, diagnosis::Certainty::right);
 }
 
 /// A level too bright, or a little more ambient light in floats, is not right beside another background.
@@ -101,14 +103,15 @@ TEST(Shading, IsNotRightWhenItIsAlmost) {
   }
   Scene lighter = painted;
   lighter.ambient *= 1.003;
-  const Image image = render_with(lighter, lighter.cameras.front(), shading_job, {});
+  const Image image = faults::render_with(lighter, lighter.cameras.front(), shading_job, {});
   const ImageFile in_floats{image.width, image.height, 3, Sample::float32, image.rgb, {}};
   for (const ImageFile& picture : {brighter, in_floats}) {
-    const Diagnosis found = diagnose(scene, scene.cameras.front(), shading_job, picture);
+    const diagnosis::Diagnosis found =
+        diagnosis::diagnose(scene, scene.cameras.front(), shading_job, picture);
     EXPECT_FALSE(found.explains_all());
-    EXPECT_NE(found.verdict, PictureVerdict::right);
-    EXPECT_NE(found.certain.shading, Certainty::right);
-    EXPECT_NE(found.certain.shadows, Certainty::right);
+    EXPECT_NE(found.verdict, diagnosis::PictureVerdict::right);
+    EXPECT_NE(found.certain.shading, diagnosis::Certainty::right);
+    EXPECT_NE(found.certain.shadows, diagnosis::Certainty::right);
   }
 }
 
@@ -120,10 +123,10 @@ TEST(Shading, AnotherMaterialOrLightIsNoFault) {
   Scene of_other_colours = with_background(scene, {0.9, 0.5, 0.1});
   for (Material& material : of_other_colours.materials) material.kd = Rgbd(1) - material.kd;
   for (const Scene& painted : {lit_from_elsewhere, of_other_colours}) {
-    const Diagnosis found = diagnosed(scene, painted, {});
+    const diagnosis::Diagnosis found = diagnosed(scene, painted, {});
     EXPECT_TRUE(found.faults.empty()) << found.faults.front().fault->id;
-    EXPECT_EQ(found.certain.camera, Certainty::right);
-    EXPECT_NE(found.certain.shading, Certainty::right);
+    EXPECT_EQ(found.certain.camera, diagnosis::Certainty::right);
+    EXPECT_NE(found.certain.shading, diagnosis::Certainty::right);
   }
 }
 
@@ -132,16 +135,17 @@ TEST(Shading, ProvesACameraAndATransformTogether) {
   Scene scene = room();
   for (Shape& shape : scene.shapes)
     if (shape.name == "block") shape.transform = {Rotate{20, {0, 1, 0}}, Translate{{0.3, 0.2, -0.5}}};
-  const Fault* const field = find_fault("full-angle-as-half");
-  const auto sense = std::find_if(geometry_families().begin(), geometry_families().end(),
-                                  [](const Fault& f) { return f.id == "rotation-sense-about-y"; });
-  const Diagnosis found = diagnosed(scene, with_background(scene, {0.9, 0.5, 0.1}), {field, &*sense});
+  const faults::Fault* const field = faults::find_fault("full-angle-as-half");
+  const auto sense = std::find_if(faults::geometry_families().begin(), faults::geometry_families().end(),
+                                  [](const faults::Fault& f) { return f.id == "rotation-sense-about-y"; });
+  const diagnosis::Diagnosis found =
+      diagnosed(scene, with_background(scene, {0.9, 0.5, 0.1}), {field, &*sense});
   std::vector<int> numbers;
-  for (const FoundFault& one : found.faults) numbers.push_back(one.fault->catalogue);
+  for (const diagnosis::FoundFault& one : found.faults) numbers.push_back(one.fault->catalogue);
   std::sort(numbers.begin(), numbers.end());
   EXPECT_EQ(numbers, (std::vector<int>{2, 28}));
-  EXPECT_EQ(found.certain.camera, Certainty::wrong);
+  EXPECT_EQ(found.certain.camera, diagnosis::Certainty::wrong);
 }
 
 }  // namespace
-}  // namespace plumb::references
+}  // namespace plumb::tests

@@ -8,7 +8,7 @@
 namespace plumb::tests {
 namespace {
 
-using references::JudgedScene;
+using submissions::JudgedScene;
 
 JudgedScene read_as(const std::string& name, const std::string& text) {
   return {name, text, read_scene(text).scene};
@@ -28,12 +28,11 @@ JudgedScene small_scene_of(const std::string& name) {
 
 /// Ids of the faults that a picture of the scene shows.
 std::vector<std::string> shown_by(const Scene& scene) {
-  const references::teaching::Lesson lesson{"", scene};
-  const auto right = references::teaching::handed(lesson, {});
+  const teaching::Lesson lesson{"", scene};
+  const auto right = teaching::handed(lesson, {});
   std::vector<std::string> ids;
-  for (const references::Fault& fault : references::fault_catalogue()) {
-    if (references::teaching::are_told_apart(right, references::teaching::handed(lesson, {&fault})))
-      ids.emplace_back(fault.id);
+  for (const faults::Fault& fault : faults::fault_catalogue()) {
+    if (teaching::are_told_apart(right, teaching::handed(lesson, {&fault}))) ids.emplace_back(fault.id);
   }
   return ids;
 }
@@ -42,15 +41,15 @@ class Shuffle : public testing::TestWithParam<Word> {};
 
 TEST_P(Shuffle, ShowsTheSameFaultsInAnotherPicture) {
   const JudgedScene given = small_scene_of(GetParam().text);
-  const auto one = references::shuffled(given, 1, {});
-  const auto again = references::shuffled(given, 1, {});
-  const auto other = references::shuffled(given, 2, {});
+  const auto one = submissions::shuffled(given, 1, {});
+  const auto again = submissions::shuffled(given, 1, {});
+  const auto other = submissions::shuffled(given, 2, {});
   ASSERT_TRUE(one && again && other);
   EXPECT_EQ(one->text, again->text);
   EXPECT_NE(one->text, other->text);
-  const auto picture = [](const Scene& scene) { return references::teaching::handed({"", scene}, {}); };
-  EXPECT_TRUE(references::teaching::are_told_apart(picture(one->scene), picture(given.scene)));
-  EXPECT_TRUE(references::teaching::are_told_apart(picture(one->scene), picture(other->scene)));
+  const auto picture = [](const Scene& scene) { return teaching::handed({"", scene}, {}); };
+  EXPECT_TRUE(teaching::are_told_apart(picture(one->scene), picture(given.scene)));
+  EXPECT_TRUE(teaching::are_told_apart(picture(one->scene), picture(other->scene)));
   EXPECT_EQ(shown_by(one->scene), shown_by(given.scene));
   EXPECT_EQ(shown_by(other->scene), shown_by(given.scene));
   EXPECT_EQ(read_scene(one->text).scene, one->scene);
@@ -60,7 +59,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Shuffle,
                          testing::Values(Word{"phong"}, Word{"shadow"}, Word{"sphere"}, Word{"box"},
                                          Word{"composite-dag"}, Word{"refraction"}));
 
-references::Variation variation_of(double amount) {
+submissions::Variation variation_of(double amount) {
   auto next = std::make_shared<int>(0);
   return {[next] { return ((*next)++ % 199 - 99) / 100.0; }, amount, amount, {2, 0, 1}};
 }
@@ -77,7 +76,7 @@ TEST(VariedText, NumbersThatSceneIsAboutStay) {
       "define light key 4 0 2 1 1 1 0.7\nambient 0.2 0.3 0.4\nbackground 0 0 0\n"
       "define camera eye 60 0 0 0 0 0 -1 0 1 0\nrender eye out.ppm 32 24\n";
   const Scene before = read_scene(text).scene;
-  const ReadResult read = read_scene(references::varied_text(text, before, variation_of(1)));
+  const ReadResult read = read_scene(submissions::varied_text(text, before, variation_of(1)));
   ASSERT_FALSE(read.has_errors()) << read.findings.front().message;
   const Scene& after = read.scene;
   EXPECT_EQ(after.materials[0].m, 7);
@@ -100,9 +99,9 @@ TEST(VariedText, NumbersThatSceneIsAboutStay) {
 TEST(VariedText, NothingButNamesChangesByNothing) {
   for (const char* const name : {"combined-still-life", "composite-dag", "prototype-401"}) {
     const JudgedScene given = scene_of(name);
-    references::Variation variation = variation_of(0);
+    submissions::Variation variation = variation_of(0);
     variation.order = {0, 1, 2};
-    Scene after = read_scene(references::varied_text(given.text, given.scene, variation)).scene;
+    Scene after = read_scene(submissions::varied_text(given.text, given.scene, variation)).scene;
     ASSERT_EQ(after.shapes.size(), given.scene.shapes.size());
     for (std::size_t i = 0; i < after.shapes.size(); ++i) after.shapes[i].name = given.scene.shapes[i].name;
     for (std::size_t i = 0; i < after.materials.size(); ++i)
@@ -131,7 +130,7 @@ TEST(VariedText, StaysInItsDialect) {
     const Dialect dialect = parse_dialect(name);
     const ReadResult before = read_scene(text, dialect);
     ASSERT_FALSE(before.has_errors()) << before.findings.front().message;
-    const std::string varied = references::varied_text(text, before.scene, variation_of(1));
+    const std::string varied = submissions::varied_text(text, before.scene, variation_of(1));
     const ReadResult after = read_scene(varied, dialect);
     ASSERT_FALSE(after.has_errors()) << varied << after.findings.front().message;
     EXPECT_NE(after.scene.shapes[0].geometry, before.scene.shapes[0].geometry) << varied;

@@ -14,7 +14,7 @@
 #include "tests/support/run.hpp"
 #include "tracer/format/reader.hpp"
 
-namespace plumb::references::teaching {
+namespace plumb::tests::teaching {
 namespace {
 
 std::string shipped_text() { return read_file(tests::source_path("tests/scenes/TEACHING.md")); }
@@ -29,45 +29,47 @@ std::vector<std::string> shipped_set() {
 }
 
 /// Of the shipped set alone.
-Matrix measured_matrix() {
-  std::vector<Lesson> lessons;
+teaching::Matrix measured_matrix() {
+  std::vector<teaching::Lesson> lessons;
   for (const std::string& name : shipped_set())
     lessons.push_back({name, load_scene(tests::source_path("tests/scenes/" + name), {})});
-  return Matrix(lessons, [](double) {});
+  return teaching::Matrix(lessons, [](double) {});
 }
 
-Indices first(std::size_t count) {
-  Indices all;
+teaching::Indices first(std::size_t count) {
+  teaching::Indices all;
   for (std::size_t i = 0; i < count; ++i) all.push_back(i);
   return all;
 }
 
-void expect_that_all_are_told_apart_but_the_named(const Matrix& matrix) {
+void expect_that_all_are_told_apart_but_the_named(const teaching::Matrix& matrix) {
   const std::string text = shipped_text();
-  for (const Pair& pair : pairs_left(matrix, first(shipped_set().size()))) {
-    const std::string line = "- " + picture_name(pair.a) + " and " + picture_name(pair.b) + "\n";
+  for (const teaching::Pair& pair : teaching::pairs_left(matrix, first(shipped_set().size()))) {
+    const std::string line =
+        "- " + teaching::picture_name(pair.a) + " and " + teaching::picture_name(pair.b) + "\n";
     EXPECT_NE(text.find(line), std::string::npos) << line;
   }
 }
 
-void expect_that_each_is_needed(const Matrix& matrix) {
+void expect_that_each_is_needed(const teaching::Matrix& matrix) {
   const std::size_t count = shipped_set().size();
-  const std::size_t left = pairs_left(matrix, first(count)).size();
+  const std::size_t left = teaching::pairs_left(matrix, first(count)).size();
   for (std::size_t i = 0; i < count; ++i) {
-    Indices rest = first(count);
+    teaching::Indices rest = first(count);
     std::erase(rest, i);
-    EXPECT_GT(pairs_left(matrix, rest).size(), left) << shipped_set()[i];
+    EXPECT_GT(teaching::pairs_left(matrix, rest).size(), left) << shipped_set()[i];
   }
 }
 
 TEST(Teaching, OnlyASceneThatTellsThemApartIsNamed) {
   const auto lesson = [](const std::string& name) {
-    return Lesson{name, load_scene(tests::source_path("tests/scenes/" + name), {})};
+    return teaching::Lesson{name, load_scene(tests::source_path("tests/scenes/" + name), {})};
   };
-  const std::vector<const Fault*> faults{find_fault("specular-not-clamped"), find_fault("specular-absolute")};
-  const Lesson even = lesson("phong-even-exponent.sdf");
-  EXPECT_EQ(scene_that_tells_apart({even, lesson("box.sdf")}, faults), std::nullopt);
-  EXPECT_EQ(scene_that_tells_apart({even, lesson("phong-odd-exponent.sdf")}, faults),
+  const std::vector<const faults::Fault*> faults{faults::find_fault("specular-not-clamped"),
+                                                 faults::find_fault("specular-absolute")};
+  const teaching::Lesson even = lesson("phong-even-exponent.sdf");
+  EXPECT_EQ(teaching::scene_that_tells_apart({even, lesson("box.sdf")}, faults), std::nullopt);
+  EXPECT_EQ(teaching::scene_that_tells_apart({even, lesson("phong-odd-exponent.sdf")}, faults),
             "phong-odd-exponent.sdf");
 }
 
@@ -86,17 +88,18 @@ std::map<std::string, std::string> shipped_rows() {
   return rows;
 }
 
-void expect_that_the_document_has(const Matrix& matrix) {
+void expect_that_the_document_has(const teaching::Matrix& matrix) {
   const auto rows = shipped_rows();
-  const std::vector<Lesson> lessons = lessons_in(tests::source_path("tests/scenes"));
-  ASSERT_EQ(rows.size(), fault_catalogue().size()) << "build/plumb faults --corpus tests/scenes > "
-                                                      "tests/scenes/TEACHING.md";
+  const std::vector<teaching::Lesson> lessons = teaching::lessons_in(tests::source_path("tests/scenes"));
+  ASSERT_EQ(rows.size(), faults::fault_catalogue().size()) << "build/plumb faults --corpus tests/scenes > "
+                                                              "tests/scenes/TEACHING.md";
   for (std::size_t i = 0; i < shipped_set().size(); ++i) {
-    const auto column = std::find_if(lessons.begin(), lessons.end(),
-                                     [&](const Lesson& lesson) { return lesson.name == shipped_set()[i]; });
+    const auto column = std::find_if(lessons.begin(), lessons.end(), [&](const teaching::Lesson& lesson) {
+      return lesson.name == shipped_set()[i];
+    });
     ASSERT_NE(column, lessons.end());
-    for (std::size_t fault = 0; fault < fault_catalogue().size(); ++fault) {
-      const std::string id(fault_catalogue()[fault].id);
+    for (std::size_t fault = 0; fault < faults::fault_catalogue().size(); ++fault) {
+      const std::string id(faults::fault_catalogue()[fault].id);
       ASSERT_EQ(rows.at(id).size(), lessons.size());
       EXPECT_EQ(rows.at(id)[static_cast<std::size_t>(column - lessons.begin())] == '#',
                 matrix.shows(i, fault))
@@ -108,14 +111,14 @@ void expect_that_the_document_has(const Matrix& matrix) {
 /// One test, because measuring takes longer than all that is asked of the result.
 TEST(Teaching, TheShippedSetTellsAllApartNeedsEachAndIsDocumented) {
   ASSERT_FALSE(shipped_set().empty());
-  const Matrix matrix = measured_matrix();
+  const teaching::Matrix matrix = measured_matrix();
   expect_that_all_are_told_apart_but_the_named(matrix);
   expect_that_each_is_needed(matrix);
   expect_that_the_document_has(matrix);
 }
 
-bool hits_all(const std::vector<Indices>& wishes, unsigned chosen) {
-  return std::all_of(wishes.begin(), wishes.end(), [&](const Indices& wish) {
+bool hits_all(const std::vector<teaching::Indices>& wishes, unsigned chosen) {
+  return std::all_of(wishes.begin(), wishes.end(), [&](const teaching::Indices& wish) {
     return std::any_of(wish.begin(), wish.end(), [&](std::size_t i) { return (chosen >> i & 1U) != 0; });
   });
 }
@@ -125,13 +128,13 @@ TEST(SmallestHittingSet, IsAsSmallAsTheBestOfAllSets) {
   std::mt19937 random(5);
   int smaller_than_greedy = 0;
   for (int trial = 0; trial < 200; ++trial) {
-    std::vector<Indices> wishes;
+    std::vector<teaching::Indices> wishes;
     for (unsigned i = 0; i < 5 + random() % 20; ++i) {
       std::set<std::size_t> wish;
       for (unsigned k = 0; k < 2 + random() % 3; ++k) wish.insert(random() % indices);
       wishes.emplace_back(wish.begin(), wish.end());
     }
-    const auto found = smallest_hitting_set(wishes, 1'000'000);
+    const auto found = teaching::smallest_hitting_set(wishes, 1'000'000);
     ASSERT_TRUE(found);
     unsigned chosen = 0;
     for (const std::size_t i : *found) chosen |= 1U << i;
@@ -141,14 +144,14 @@ TEST(SmallestHittingSet, IsAsSmallAsTheBestOfAllSets) {
       if (hits_all(wishes, set)) best = std::min(best, __builtin_popcount(set));
     }
     EXPECT_EQ(static_cast<int>(found->size()), best);
-    smaller_than_greedy += found->size() < greedy_hitting_set(wishes).size() ? 1 : 0;
+    smaller_than_greedy += found->size() < teaching::greedy_hitting_set(wishes).size() ? 1 : 0;
   }
   EXPECT_GT(smaller_than_greedy, 0) << "the greedy set is always the best here: nothing is tested";
 }
 
 TEST(SmallestHittingSet, SaysWhenItIsNotProven) {
-  EXPECT_FALSE(smallest_hitting_set({{0, 1}, {1, 2}, {0, 2}}, 1));
+  EXPECT_FALSE(teaching::smallest_hitting_set({{0, 1}, {1, 2}, {0, 2}}, 1));
 }
 
 }  // namespace
-}  // namespace plumb::references::teaching
+}  // namespace plumb::tests::teaching

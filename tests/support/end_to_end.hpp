@@ -60,13 +60,13 @@ inline bool contains(const std::string& text, const std::string& part) {
 }
 
 /// Runs a command of /bin/sh in the directory; in it, "$0" is the program. The output is both of its streams.
-inline references::ProcessResult run_shell(const std::string& command, const std::string& directory) {
-  references::ProcessLimits limits;
+inline system::ProcessResult run_shell(const std::string& command, const std::string& directory) {
+  system::ProcessLimits limits;
   limits.seconds = 120;
   limits.memory_bytes = std::numeric_limits<std::size_t>::max();  // an address sanitizer reserves terabytes
   const std::string with_environment =
       "export PLUMB_CACHE='" + directory + "/.cache' LSAN_OPTIONS='" + leak_options() + "'; " + command;
-  return references::run_process({"/bin/sh", "-c", with_environment, PLUMB_BINARY}, directory, limits);
+  return system::run_process({"/bin/sh", "-c", with_environment, PLUMB_BINARY}, directory, limits);
 }
 
 /// The program said in its own words what is wrong, all of `parts` among them: it did not crash.
@@ -86,7 +86,7 @@ inline void expect_trouble(const Outcome& outcome, const std::vector<std::string
   expect_own_words(outcome.err, parts);
 }
 
-inline void expect_trouble(const references::ProcessResult& result, const std::vector<std::string>& parts) {
+inline void expect_trouble(const system::ProcessResult& result, const std::vector<std::string>& parts) {
   EXPECT_EQ(result.exit_code, 2) << result.output;
   EXPECT_EQ(result.signal, 0) << result.output;
   EXPECT_FALSE(result.timed_out);

@@ -32,12 +32,12 @@ ImageFile pixels_of_p6(const std::string& bytes) {
 }  // namespace
 
 ImageFile as_oiiotool_reads(const std::string& path) {
-  const references::TemporaryDirectory directory;
+  const system::TemporaryDirectory directory;
   const std::string copy = directory.path() + "/copy.ppm";
-  const std::string tool = references::find_program("oiiotool");
+  const std::string tool = system::find_program("oiiotool");
   EXPECT_NE(tool, "") << "openimageio-tools is not installed";
   if (tool.empty()) return {};
-  const auto run = references::run_process({tool, path, "-o", copy}, directory.path(), {});
+  const auto run = system::run_process({tool, path, "-o", copy}, directory.path(), {});
   EXPECT_EQ(run.exit_code, 0) << run.output;
   return run.exit_code == 0 ? pixels_of_p6(read_file(copy)) : ImageFile{};
 }

@@ -35,8 +35,8 @@ inline textbook::RenderJob job_of(int width, int height) {
 
 /// The picture of the first camera, truncated to 8 bits as the course's framework does.
 inline ImageFile picture_of(const Scene& scene, const textbook::RenderJob& job,
-                            const std::vector<const references::Fault*>& faults) {
-  const Image image = references::render_with(scene, scene.cameras.front(), job, faults);
+                            const std::vector<const faults::Fault*>& faults) {
+  const Image image = faults::render_with(scene, scene.cameras.front(), job, faults);
   ImageFile file{image.width, image.height, 3, Sample::bits8, {}, {}};
   for (const float value : image.rgb)
     file.values.push_back(std::floor(255 * std::clamp(value, 0.0F, 1.0F)) / 255);

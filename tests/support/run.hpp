@@ -34,7 +34,7 @@ class Workplace {
   const std::string& directory() const { return directory_.path(); }
 
  private:
-  references::TemporaryDirectory directory_;
+  system::TemporaryDirectory directory_;
 };
 
 /// Absolute path of a file of the repository.

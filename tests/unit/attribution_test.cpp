@@ -20,8 +20,8 @@
 namespace plumb::tests {
 namespace {
 
-using references::Budget;
-using references::Cause;
+using attribution::Budget;
+using attribution::Cause;
 
 constexpr int side = 8;
 
@@ -65,16 +65,16 @@ Image picture(const Scene& scene, const RenderOptions& options = {}, int pixels 
 }
 
 Budget budget_of(const Scene& scene, const Image& reference, const Image& test,
-                 references::Holds holds = references::Holds::float32) {
-  const Budget budget = references::attribute({{scene, scene.cameras.front(), test.width, test.height},
-                                               reference,
-                                               test,
-                                               1e-6,
-                                               references::povray_resolution(),
-                                               holds});
+                 renderers::Holds holds = renderers::Holds::float32) {
+  const Budget budget = attribution::attribute({{scene, scene.cameras.front(), test.width, test.height},
+                                                reference,
+                                                test,
+                                                1e-6,
+                                                renderers::povray_resolution(),
+                                                holds});
   std::size_t sum = 0;
-  for (std::size_t i = 0; i < references::cause_count; ++i) sum += budget.count(static_cast<Cause>(i));
-  EXPECT_EQ(sum, references::pixels_over(reference, test, 1e-6).size()) << "each pixel over has one cause";
+  for (std::size_t i = 0; i < attribution::cause_count; ++i) sum += budget.count(static_cast<Cause>(i));
+  EXPECT_EQ(sum, comparison::pixels_over(reference, test, 1e-6).size()) << "each pixel over has one cause";
   return budget;
 }
 
@@ -112,14 +112,14 @@ define light key 0 6 2 1 1 1 1
 define shape box back -9 -9 -5 9 9 -4 wall
 )";
   Scene scene = scene_of(without + "define shape box near -1 5 1 1 7 1.5 other\n");
-  const double extent = references::povray_resolution().extent(scene, scene.cameras.front());
+  const double extent = renderers::povray_resolution().extent(scene, scene.cameras.front());
   Box& near = std::get<Box>(scene.shapes[1].geometry);
   near.min.z = 2 - 4.5e-8 * extent;
   near.max.z = 2 - 3e-8 * extent;
   const Budget budget = budget_of(scene, picture(scene_of(without)), picture(scene));
   EXPECT_GT(budget.pixels.size(), 30U) << "without the tolerance all is dark";
   EXPECT_EQ(budget.count(Cause::reference_tolerance), budget.pixels.size());
-  EXPECT_TRUE(references::broken_bound(budget, side, side)) << "so many are no matter of chance";
+  EXPECT_TRUE(attribution::broken_bound(budget, side, side)) << "so many are no matter of chance";
 }
 
 TEST(Attribution, OneRayMore) {
@@ -160,11 +160,11 @@ TEST(Attribution, AVastSkyExcusesNothingSmall) {
       const Image reference = picture(moved);
       const Image test = picture(scene);
       const Budget budget =
-          references::attribute({{scene, scene.cameras.front(), test.width, test.height},
-                                 reference,
-                                 test,
-                                 1e-6,
-                                 is_ours ? references::own_resolution() : references::povray_resolution()});
+          attribution::attribute({{scene, scene.cameras.front(), test.width, test.height},
+                                  reference,
+                                  test,
+                                  1e-6,
+                                  is_ours ? renderers::own_resolution() : renderers::povray_resolution()});
       EXPECT_GT(budget.pixels.size(), 0U);
       EXPECT_EQ(budget.explained(), 0U) << sky;
     }
@@ -177,11 +177,11 @@ TEST(Attribution, AgainstABaselineNothingOfPovraysIsExcused) {
   shallow.depth = 1;
   const Image reference = picture(scene, shallow);
   const Image test = picture(scene);
-  const Budget budget = references::attribute({{scene, scene.cameras.front(), test.width, test.height},
-                                               reference,
-                                               test,
-                                               1e-6,
-                                               references::own_resolution()});
+  const Budget budget = attribution::attribute({{scene, scene.cameras.front(), test.width, test.height},
+                                                reference,
+                                                test,
+                                                1e-6,
+                                                renderers::own_resolution()});
   EXPECT_GT(budget.pixels.size(), 0U);
   EXPECT_EQ(budget.explained(), 0U);
 }
@@ -196,12 +196,12 @@ define shape sphere ball 1 0 -4 0.5 other
   const Image test = picture(scene);
   Image reference = test;
   for (float& v : reference.rgb) v = std::round(std::clamp(v, 0.0F, 1.0F) * 255) / 255;
-  const Budget budget = budget_of(scene, reference, test, references::Holds::bits8);
+  const Budget budget = budget_of(scene, reference, test, renderers::Holds::bits8);
   EXPECT_EQ(budget.count(Cause::unexplained), 0U);
   EXPECT_GT(budget.count(Cause::clamped), 0U);
   EXPECT_GT(budget.count(Cause::quantisation), 0U);
   reference.rgb[0] += 2.0F / 255;
-  EXPECT_EQ(budget_of(scene, reference, test, references::Holds::bits8).count(Cause::unexplained), 1U);
+  EXPECT_EQ(budget_of(scene, reference, test, renderers::Holds::bits8).count(Cause::unexplained), 1U);
   EXPECT_GT(budget_of(scene, reference, test).count(Cause::unexplained), 30U)
       << "a reference of floats has no such excuse";
 }
@@ -218,7 +218,7 @@ define shape box back -9 -9 -5 9 9 -4 wall
   Image reference = right;
   for (float& v : reference.rgb) v = std::round(std::clamp(v, 0.0F, 1.0F) * 255) / 255;
   const auto clamped = [&](const Image& test) {
-    return budget_of(scene, reference, test, references::Holds::bits8).count(Cause::clamped);
+    return budget_of(scene, reference, test, renderers::Holds::bits8).count(Cause::clamped);
   };
   const std::size_t all = clamped(right);
   ASSERT_GT(all, 3U);
@@ -227,7 +227,7 @@ define shape box back -9 -9 -5 9 9 -4 wall
     for (int c = 0; c < 3; ++c) wrong.pixel(3, y)[c] += wrong.pixel(3, y)[c] > 1 ? 0.01F : 0.0F;
   }
   EXPECT_LT(clamped(wrong), all);
-  EXPECT_EQ(budget_of(scene, reference, wrong, references::Holds::bits8).count(Cause::unexplained),
+  EXPECT_EQ(budget_of(scene, reference, wrong, renderers::Holds::bits8).count(Cause::unexplained),
             all - clamped(wrong));
 }
 
@@ -242,11 +242,11 @@ define shape sphere inner 0 0 -5 2 both
   const Image reference = picture(scene);
   Image test = reference;
   for (float& v : test.rgb) v += 0.1F;
-  const Budget budget = references::attribute({{scene, scene.cameras.front(), test.width, test.height, deep},
-                                               reference,
-                                               test,
-                                               1e-6,
-                                               references::povray_resolution()});
+  const Budget budget = attribution::attribute({{scene, scene.cameras.front(), test.width, test.height, deep},
+                                                reference,
+                                                test,
+                                                1e-6,
+                                                renderers::povray_resolution()});
   EXPECT_EQ(budget.count(Cause::unexplained), static_cast<std::size_t>(side * side));
 }
 
@@ -286,7 +286,7 @@ TEST(Attribution, OfAPictureThatDiffersAsAWholeASampleIsExamined) {
   const std::size_t all = large_side * large_side;
   EXPECT_EQ(budget.count(Cause::unexplained), all);
   EXPECT_EQ(budget.unexamined, all - 256);
-  EXPECT_NE(note_of(budget), "");
+  EXPECT_NE(report::note_of(budget), "");
 }
 
 TEST(Attribution, AllAreExaminedWhenTheSampleIsExplained) {
@@ -300,7 +300,7 @@ TEST(Attribution, AllAreExaminedWhenTheSampleIsExplained) {
   const Budget budget = budget_of(scene, picture(moved, {}, large_side), picture(back, {}, large_side));
   EXPECT_EQ(budget.count(Cause::coincident), static_cast<std::size_t>(large_side * large_side));
   EXPECT_EQ(budget.unexamined, 0U);
-  EXPECT_EQ(note_of(budget), "");
+  EXPECT_EQ(report::note_of(budget), "");
 }
 
 TEST(Attribution, WhatIsLeftWhenTheWorkIsOverIsUnexamined) {
@@ -309,28 +309,28 @@ TEST(Attribution, WhatIsLeftWhenTheWorkIsOverIsUnexamined) {
   std::get<Box>(moved.shapes[1].geometry).max.z += 1e-9;
   const Image reference = picture(moved);
   const Image test = picture(scene);
-  references::AttributionJob job{{scene, scene.cameras.front(), test.width, test.height},
-                                 reference,
-                                 test,
-                                 1e-6,
-                                 references::povray_resolution()};
-  const Budget whole = references::attribute(job);
+  attribution::AttributionJob job{{scene, scene.cameras.front(), test.width, test.height},
+                                  reference,
+                                  test,
+                                  1e-6,
+                                  renderers::povray_resolution()};
+  const Budget whole = attribution::attribute(job);
   ASSERT_EQ(whole.count(Cause::coincident), whole.pixels.size());
   EXPECT_EQ(whole.unexamined, 0U);
   job.work = 100;  // a few rays
-  const Budget begun = references::attribute(job);
+  const Budget begun = attribution::attribute(job);
   EXPECT_EQ(begun.pixels.size(), whole.pixels.size());
   EXPECT_EQ(begun.unexamined, begun.count(Cause::unexplained));
   EXPECT_GT(begun.unexamined, 0U);
-  EXPECT_NE(note_of(begun), "");
+  EXPECT_NE(report::note_of(begun), "");
 }
 
 TEST(Attribution, BoundsHoldForFewAndBreakForMany) {
   Budget budget;
   for (int i = 0; i < 20; ++i) budget.pixels.push_back({0, i, Cause::silhouette});
-  EXPECT_TRUE(references::broken_bound(budget, side, side)) << "16 and 5 % of 64";
+  EXPECT_TRUE(attribution::broken_bound(budget, side, side)) << "16 and 5 % of 64";
   budget.pixels.pop_back();
-  EXPECT_FALSE(references::broken_bound(budget, side, side));
+  EXPECT_FALSE(attribution::broken_bound(budget, side, side));
 }
 
 TEST(Attribution, MoreThanAHundredthOfThePictureUnverifiedBreaksTheBound) {
@@ -339,10 +339,10 @@ TEST(Attribution, MoreThanAHundredthOfThePictureUnverifiedBreaksTheBound) {
     for (int i = 0; i < 6; ++i) budget.pixels.push_back({0, i, cause});
     budget.pixels.push_back({9, 9, Cause::silhouette});
     EXPECT_EQ(budget.unverified(), 6U);
-    EXPECT_FALSE(references::broken_bound(budget, 20, 30)) << "6 of 600";
-    EXPECT_TRUE(references::broken_bound(budget, 20, 29)) << "6 of 580";
+    EXPECT_FALSE(attribution::broken_bound(budget, 20, 30)) << "6 of 600";
+    EXPECT_TRUE(attribution::broken_bound(budget, 20, 29)) << "6 of 580";
     budget.pixels.back().cause = Cause::coincident;
-    EXPECT_NE(in_words(*references::broken_bound(budget, 20, 30)).find("7 pixels are unverified"),
+    EXPECT_NE(report::in_words(*attribution::broken_bound(budget, 20, 30)).find("7 pixels are unverified"),
               std::string::npos)
         << "both causes count together";
   }

@@ -15,7 +15,8 @@
 namespace plumb::tests {
 namespace {
 
-using namespace references;
+using namespace comparison;
+using namespace gates;
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 

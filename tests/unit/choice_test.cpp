@@ -12,7 +12,7 @@
 namespace plumb::tests {
 namespace {
 
-using references::Choice;
+using studies::Choice;
 
 Scene course_scene(const std::string& name) {
   return load_scene(source_path("tests/scenes/" + name + ".sdf"), {});
@@ -30,7 +30,7 @@ RenderJob job_of(int width = 40, int height = 30) {
 }
 
 Choice chosen(const Scene& scene, double bound, const RenderJob& job = job_of()) {
-  return references::choose(scene, camera_of(scene), job, bound);
+  return studies::choose(scene, camera_of(scene), job, bound);
 }
 
 /// The whole picture in 113 bits, as users render it.
@@ -50,7 +50,7 @@ TEST(Choose, TheErrorThatItReportsIsTheErrorThatThereIs) {
       const Choice choice = chosen(scene, bound);
       EXPECT_EQ(choice.oracle_pixels, 1200U);
       EXPECT_LE(choice.chosen.error.largest(), bound);
-      EXPECT_NEAR(references::compare(right, choice.image, 0).judged_error,
+      EXPECT_NEAR(comparison::compare(right, choice.image, 0).judged_error,
                   choice.chosen.error.against_oracle, rounding_of_float)
           << name << " " << bound;
     }
@@ -64,7 +64,7 @@ TEST(Choose, AWideBoundTakesFloatAndLessDepthAndANarrowOneDouble) {
   EXPECT_LT(wide.chosen.depth, 8);
   EXPECT_EQ(narrow.chosen.real, RealType::float64);
   EXPECT_EQ(narrow.chosen.depth, 8);
-  EXPECT_NE(references::reason(wide, 0.05, 8).find("float, depth "), std::string::npos);
+  EXPECT_NE(studies::reason(wide, 0.05, 8).find("float, depth "), std::string::npos);
 }
 
 TEST(Choose, TheDepthIsTheLeastThatStaysUnderTheBound) {
@@ -74,7 +74,7 @@ TEST(Choose, TheDepthIsTheLeastThatStaysUnderTheBound) {
   job.real = RealType::float32;
   job.options.depth = choice.chosen.depth - 1;
   const Image shallower = engine::render(scene, camera_of(scene), job);
-  EXPECT_GT(references::compare(in_quad(scene), shallower, 0).judged_error, 0.05);
+  EXPECT_GT(comparison::compare(in_quad(scene), shallower, 0).judged_error, 0.05);
 }
 
 /// So far off the origin that to double the ball is where the eye is.
@@ -90,14 +90,14 @@ TEST(Choose, WhereDoubleFailsLongDoubleIsTaken) {
   const Choice choice = chosen(scene, 1e-4);
   EXPECT_EQ(choice.chosen.real, RealType::long_double);
   EXPECT_FALSE(choice.chosen.error.against_double.has_value());
-  EXPECT_LE(references::compare(in_quad(scene), choice.image, 0).judged_error, 1e-4);
+  EXPECT_LE(comparison::compare(in_quad(scene), choice.image, 0).judged_error, 1e-4);
 }
 
 TEST(Choose, RefusesABoundThatNothingReachesAndSaysWhatWasReached) {
   try {
     chosen(course_scene("phong"), 1e-12);
     FAIL() << "no float picture is as exact";
-  } catch (const references::BoundNotReached& error) {
+  } catch (const studies::BoundNotReached& error) {
     const std::string said = error.what();
     for (const char* part : {"1e-12", "float", "double", "long-double", "--real quad"})
       EXPECT_NE(said.find(part), std::string::npos) << part << " is missing in\n" << said;

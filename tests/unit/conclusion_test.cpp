@@ -9,7 +9,7 @@ namespace plumb::tests {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using references::conclusion_of;
+using report::conclusion_of;
 
 Json result(const char* status, std::size_t over, std::size_t unexplained) {
   return {{"status", status}, {"width", 20},

@@ -11,7 +11,7 @@
 #include "tests/support/run.hpp"
 #include "tracer/format/reader.hpp"
 
-namespace plumb::references {
+namespace plumb::tests {
 namespace {
 
 Scene scene_of(const std::string& file) {
@@ -25,9 +25,9 @@ textbook::RenderJob small_job() {
   return job;
 }
 
-Image rendered(const std::string& file, const std::vector<const Fault*>& faults) {
+Image rendered(const std::string& file, const std::vector<const faults::Fault*>& faults) {
   const Scene scene = scene_of(file);
-  return render_with(scene, scene.camera(scene.renders.front().camera), small_job(), faults);
+  return faults::render_with(scene, scene.camera(scene.renders.front().camera), small_job(), faults);
 }
 
 /// How many components differ by more than 1e-4, or are not finite.
@@ -38,37 +38,37 @@ long changed(const Image& right, const Image& wrong) {
   return count;
 }
 
-const Fault* fault(const std::string& id) {
-  const Fault* found = find_fault(id);
+const faults::Fault* fault(const std::string& id) {
+  const faults::Fault* found = faults::find_fault(id);
   EXPECT_NE(found, nullptr) << id;
   return found;
 }
 
 TEST(Faults, IdsAreUniqueAndPlain) {
   std::set<std::string_view> ids;
-  for (const Fault& f : fault_catalogue()) {
+  for (const faults::Fault& f : faults::fault_catalogue()) {
     EXPECT_TRUE(ids.insert(f.id).second) << f.id;
     EXPECT_TRUE(std::all_of(f.id.begin(), f.id.end(), [](char c) {
       return c == '-' || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
     })) << f.id;
-    EXPECT_EQ(find_fault(f.id), &f);
+    EXPECT_EQ(faults::find_fault(f.id), &f);
   }
-  EXPECT_EQ(find_fault("no-such-fault"), nullptr);
+  EXPECT_EQ(faults::find_fault("no-such-fault"), nullptr);
 }
 
 TEST(Faults, EveryEntryOfTheCatalogueIsThere) {
   std::set<int> entries;
-  for (const Fault& f : fault_catalogue()) entries.insert(f.catalogue);
+  for (const faults::Fault& f : faults::fault_catalogue()) entries.insert(f.catalogue);
   for (int entry = 1; entry <= 37; ++entry) EXPECT_EQ(entries.count(entry), 1U) << entry;
   for (const int entry : {38, 39, 42, 43, 44}) EXPECT_EQ(entries.count(entry), 1U) << entry;
   std::set<int> of_families;
-  for (const Fault& f : geometry_families()) of_families.insert(f.catalogue);
+  for (const faults::Fault& f : faults::geometry_families()) of_families.insert(f.catalogue);
   EXPECT_EQ(of_families.count(40), 1U);
-  EXPECT_GE(fault_catalogue().size(), 45U);
+  EXPECT_GE(faults::fault_catalogue().size(), 45U);
 }
 
 TEST(Faults, EveryFaultSaysWhatItIs) {
-  for (const Fault& f : fault_catalogue()) {
+  for (const faults::Fault& f : faults::fault_catalogue()) {
     for (const std::string_view text : {f.slide, f.explanation, f.wrong, f.right, f.how_common, f.shown_by})
       EXPECT_FALSE(text.empty()) << f.id;
     EXPECT_TRUE(f.explanation.ends_with(".")) << f.id;
@@ -79,8 +79,8 @@ TEST(Faults, EveryFaultSaysWhatItIs) {
 
 TEST(Faults, EveryMemberOfAFamilySaysWhatItIsAndIsSeen) {
   std::set<std::string> members;
-  for (const auto* family : {&geometry_families(), &shading_families()}) {
-    for (const Fault& f : *family) {
+  for (const auto* family : {&faults::geometry_families(), &faults::shading_families()}) {
+    for (const faults::Fault& f : *family) {
       const std::string name = std::string(f.id) + " " + std::to_string(f.value);
       EXPECT_TRUE(members.insert(name).second) << name;
       EXPECT_TRUE(f.explanation.ends_with(".")) << name;
@@ -119,7 +119,7 @@ TEST(Faults, ALightForEachObjectIsHiddenByThatObjectAlone) {
 }
 
 TEST(Faults, EveryFaultIsSeenInTheSceneThatItNames) {
-  for (const Fault& f : fault_catalogue()) {
+  for (const faults::Fault& f : faults::fault_catalogue()) {
     const std::string scene{f.shown_by};
     EXPECT_GT(changed(rendered(scene, {}), rendered(scene, {&f})), 0) << f.id << " in " << scene;
   }
@@ -136,8 +136,8 @@ TEST(Faults, NoFaultsGiveTheRenderBitForBit) {
 }
 
 TEST(Faults, FaultsLeaveNothingBehind) {
-  const std::vector<const Fault*> with_state{fault("depth-counter-shared"), fault("one-blocker-darkens-all"),
-                                             fault("specular-toward-light")};
+  const std::vector<const faults::Fault*> with_state{
+      fault("depth-counter-shared"), fault("one-blocker-darkens-all"), fault("specular-toward-light")};
   const std::string scene = "combined-everything.sdf";
   const Image before = rendered(scene, {});
   const Image wrong = rendered(scene, with_state);
@@ -160,4 +160,4 @@ TEST(Faults, ExchangesAreUndoneByThemselves) {
 }
 
 }  // namespace
-}  // namespace plumb::references
+}  // namespace plumb::tests

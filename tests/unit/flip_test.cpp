@@ -14,8 +14,8 @@
 namespace plumb::tests {
 namespace {
 
-using references::ColourSpace;
-using references::PictureView;
+using comparison::ColourSpace;
+using comparison::PictureView;
 using Plane = std::vector<double>;
 
 constexpr double pi = std::numbers::pi;
@@ -175,21 +175,21 @@ constexpr double float_noise = 5e-4;
 
 TEST(Flip, EqualPicturesDoNotDiffer) {
   const Picture p = blocks(30, 20, 1, 1);
-  const references::Flip result = references::flip(p.view(), p.view(), ColourSpace::srgb);
+  const comparison::Flip result = comparison::flip(p.view(), p.view(), ColourSpace::srgb);
   EXPECT_EQ(result.mean, 0);
   EXPECT_EQ(result.max, 0);
 }
 
 TEST(Flip, BlackAndWhiteDifferAsDoneByHand) {
   // HyAB is 100, the difference of L*; green and blue are 203.3 apart, 41.276 to the power of 0.7.
-  const auto map = references::flip_map(uniform(9, 7, glm::vec3(0)).view(),
+  const auto map = comparison::flip_map(uniform(9, 7, glm::vec3(0)).view(),
                                         uniform(9, 7, glm::vec3(1)).view(), ColourSpace::srgb);
   const double c = std::pow(100.0, 0.7) / 41.276;
   expect_map(Plane(63, 0.95 + (c - 0.4) / 0.6 * 0.05), map, 1e-5);
 }
 
 TEST(Flip, GreenAndBlueDifferMost) {
-  const auto map = references::flip_map(uniform(3, 3, {0, 1, 0}).view(), uniform(3, 3, {0, 0, 1}).view(),
+  const auto map = comparison::flip_map(uniform(3, 3, {0, 1, 0}).view(), uniform(3, 3, {0, 0, 1}).view(),
                                         ColourSpace::srgb);
   expect_map(Plane(9, 1), map, 1e-5);
 }
@@ -198,7 +198,7 @@ TEST(Flip, ItIsThatOfAPlainImplementation) {
   for (const unsigned seed : {1U, 2U}) {
     const Picture r = blocks(37, 23, seed, 1), t = blocks(37, 23, seed + 10, 1);
     const Plane expected = flip_of_linear(decoded(r, srgb_decoded), decoded(t, srgb_decoded), 37, 23);
-    expect_map(expected, references::flip_map(r.view(), t.view(), ColourSpace::srgb), float_noise);
+    expect_map(expected, comparison::flip_map(r.view(), t.view(), ColourSpace::srgb), float_noise);
   }
 }
 
@@ -209,14 +209,14 @@ TEST(Flip, AStepAndASpotAreSeenAsByAPlainImplementation) {
     for (std::size_t x = 20; x < 32; ++x) t.values[3 * (y * 32 + x)] = 0.9F;
   t.values[3 * (12 * 32 + 8) + 1] = 1;
   const Plane expected = flip_of_linear(decoded(r, srgb_decoded), decoded(t, srgb_decoded), 32, 24);
-  expect_map(expected, references::flip_map(r.view(), t.view(), ColourSpace::srgb), float_noise);
+  expect_map(expected, comparison::flip_map(r.view(), t.view(), ColourSpace::srgb), float_noise);
 }
 
 TEST(Flip, SmallPicturesAreThoseOfAPlainImplementation) {
   for (const auto& [width, height] : {std::pair{1, 1}, {1, 5}, {5, 1}, {2, 3}, {17, 2}}) {
     const Picture r = blocks(width, height, 3, 1), t = blocks(width, height, 4, 1);
     const Plane expected = flip_of_linear(decoded(r, srgb_decoded), decoded(t, srgb_decoded), width, height);
-    expect_map(expected, references::flip_map(r.view(), t.view(), ColourSpace::srgb), float_noise);
+    expect_map(expected, comparison::flip_map(r.view(), t.view(), ColourSpace::srgb), float_noise);
   }
 }
 
@@ -226,7 +226,7 @@ TEST(HdrFlip, TheExposuresBringTheBrightestAndTheMedianTo085) {
   // 8 in one of 35 pixels, 0.25 in the others, grey.
   Picture p = uniform(7, 5, glm::vec3(0.25F));
   for (std::size_t c = 0; c < 3; ++c) p.values[c] = 8;
-  const references::Exposures e = references::flip_exposures(p.view());
+  const comparison::Exposures e = comparison::flip_exposures(p.view());
   EXPECT_NEAR(aces(8 * std::exp2(e.start)), 0.85, 1e-6);
   EXPECT_NEAR(aces(0.25 * std::exp2(e.stop)), 0.85, 1e-6);
   EXPECT_NEAR(e.stop - e.start, 5, 1e-6);
@@ -234,21 +234,21 @@ TEST(HdrFlip, TheExposuresBringTheBrightestAndTheMedianTo085) {
 }
 
 TEST(HdrFlip, AtLeastTwoExposuresAreTaken) {
-  EXPECT_EQ(references::flip_exposures(uniform(2, 2, glm::vec3(3)).view()).count, 2);
+  EXPECT_EQ(comparison::flip_exposures(uniform(2, 2, glm::vec3(3)).view()).count, 2);
 }
 
 TEST(HdrFlip, AReferenceWithABlackMedianHasAFiniteRange) {
   Picture p = uniform(4, 4, glm::vec3(0));
   p.values[0] = 1;
-  const references::Exposures e = references::flip_exposures(p.view());
+  const comparison::Exposures e = comparison::flip_exposures(p.view());
   EXPECT_LE(e.count, 32);
   EXPECT_TRUE(std::isfinite(e.stop));
 }
 
 TEST(HdrFlip, ABlackReferenceIsJudgedAsItIs) {
-  EXPECT_EQ(references::flip_exposures(uniform(2, 2, glm::vec3(0)).view()).count, 1);
+  EXPECT_EQ(comparison::flip_exposures(uniform(2, 2, glm::vec3(0)).view()).count, 1);
   const Picture black = uniform(2, 2, glm::vec3(0)), grey = uniform(2, 2, glm::vec3(1));
-  EXPECT_GT(references::flip(black.view(), grey.view(), ColourSpace::linear).mean, 0.5);
+  EXPECT_GT(comparison::flip(black.view(), grey.view(), ColourSpace::linear).mean, 0.5);
 }
 
 /// Denormals, and the values around the least that counts: the range is in order, nothing is NaN.
@@ -258,11 +258,11 @@ TEST(HdrFlip, TinyAndHugeReferencesHaveAnOrderedRange) {
     for (std::size_t c = 0; c < 3; ++c) p.values[c] = value;
     for (const Picture& reference : {p, uniform(4, 4, glm::vec3(value))}) {
       SCOPED_TRACE(value);
-      const references::Exposures e = references::flip_exposures(reference.view());
+      const comparison::Exposures e = comparison::flip_exposures(reference.view());
       EXPECT_LE(e.start, e.stop);
       EXPECT_LE(e.count, 152) << "from 2^-23 to 2^128, and the ends";
       const Picture grey = uniform(4, 4, glm::vec3(0.5F));
-      const references::Flip f = references::flip(reference.view(), grey.view(), ColourSpace::linear);
+      const comparison::Flip f = comparison::flip(reference.view(), grey.view(), ColourSpace::linear);
       EXPECT_GE(f.mean, 0);
       EXPECT_LE(f.max, 1);
     }
@@ -271,7 +271,7 @@ TEST(HdrFlip, TinyAndHugeReferencesHaveAnOrderedRange) {
 
 TEST(HdrFlip, ItIsTheLargestOverTheExposures) {
   const Picture r = blocks(29, 19, 5, 6), t = blocks(29, 19, 6, 6);
-  const references::Exposures e = references::flip_exposures(r.view());
+  const comparison::Exposures e = comparison::flip_exposures(r.view());
   Plane expected(29 * 19);
   for (int i = 0; i < e.count; ++i) {
     const double factor = std::exp2(e.start + i * (e.stop - e.start) / (e.count - 1));
@@ -279,12 +279,12 @@ TEST(HdrFlip, ItIsTheLargestOverTheExposures) {
     const Plane one = flip_of_linear(decoded(r, curve), decoded(t, curve), 29, 19);
     for (std::size_t k = 0; k < one.size(); ++k) expected[k] = std::max(expected[k], one[k]);
   }
-  expect_map(expected, references::flip_map(r.view(), t.view(), ColourSpace::linear), float_noise);
+  expect_map(expected, comparison::flip_map(r.view(), t.view(), ColourSpace::linear), float_noise);
 }
 
 TEST(HdrFlip, LightBeyondAllMeasureAndNegativeLightStayInRange) {
   const Picture r = uniform(3, 3, {1, 1, 1}), t = uniform(3, 3, {3e38F, -5, 0});
-  for (const float v : references::flip_map(r.view(), t.view(), ColourSpace::linear)) {
+  for (const float v : comparison::flip_map(r.view(), t.view(), ColourSpace::linear)) {
     EXPECT_GE(v, 0);
     EXPECT_LE(v, 1);
   }
@@ -344,8 +344,8 @@ void expect_the_authors(const Expected& expected, ColourSpace space) {
   SCOPED_TRACE(static_cast<int>(expected.scene));
   const bool light = space == ColourSpace::linear;
   const Picture r = synthetic(expected.scene, false, light), t = synthetic(expected.scene, true, light);
-  EXPECT_NEAR(references::flip(r.view(), t.view(), space).mean, expected.mean, mean_noise);
-  const auto map = references::flip_map(r.view(), t.view(), space);
+  EXPECT_NEAR(comparison::flip(r.view(), t.view(), space).mean, expected.mean, mean_noise);
+  const auto map = comparison::flip_map(r.view(), t.view(), space);
   const std::size_t at[5] = {0, 30 * 96 + 56, 15 * 96 + 40, 50 * 96 + 70, 63 * 96 + 95};
   for (std::size_t i = 0; i < 5; ++i) EXPECT_NEAR(map[at[i]], expected.pixels[i], pixel_noise) << i;
 }
@@ -373,7 +373,7 @@ TEST(HdrFlip, ItIsThatOfTheAuthorsImplementation) {
 
 TEST(HdrFlip, TheExposuresAreThoseOfTheAuthorsImplementation) {
   const auto expect = [](Scene scene, double start, double stop, int count) {
-    const references::Exposures e = references::flip_exposures(synthetic(scene, false, true).view());
+    const comparison::Exposures e = comparison::flip_exposures(synthetic(scene, false, true).view());
     EXPECT_NEAR(e.start, start, 2e-6) << "float32: measured 7e-7";
     EXPECT_NEAR(e.stop, stop, 2e-6) << "float32: measured 7e-7";
     EXPECT_EQ(e.count, count);

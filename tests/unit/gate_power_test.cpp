@@ -89,8 +89,7 @@ TEST(OurGate, PassesTheRightPictureHoweverItIsHeld) {
 
 TEST(OurGate, FailsAFaultHoweverThePictureIsHeld) {
   const Subject s = subject_of("shadow.sdf");
-  const Image wrong =
-      references::render_with(s.scene, s.camera, s.job, {references::find_fault("pixel-corner")});
+  const Image wrong = faults::render_with(s.scene, s.camera, s.job, {faults::find_fault("pixel-corner")});
   EXPECT_EQ(our_verdict(s, wrong, Made::in_double), OurVerdict::unexplained);
   EXPECT_EQ(our_verdict(s, wrong, Made::in_float), OurVerdict::unexplained);
   EXPECT_EQ(our_verdict(s, wrong, Made::sampled_nearby), OurVerdict::unexplained);
@@ -102,7 +101,7 @@ TEST(OurGate, FailsAFaultHoweverThePictureIsHeld) {
 TEST(Experiments, AreMany) {
   std::mt19937 random(1);
   const std::vector<Subject> one{subject_of("combined-still-life.sdf")};
-  EXPECT_GE(fault_experiments(one, random).size(), references::fault_catalogue().size() + 15);
+  EXPECT_GE(fault_experiments(one, random).size(), faults::fault_catalogue().size() + 15);
   EXPECT_EQ(benign_experiments(one, random).size(), 9U);
 }
 

@@ -133,9 +133,9 @@ TEST_F(ImageFiles, WholeNumbersOf32BitsAreExact) {
     return opened(std::to_string(value) + ".exr", exr_bytes({{{channel("id", {value}, 0)}, one, one}}));
   };
   for (const double value : {0.0, 1.0, 16777217.0, 4294967295.0}) {
-    EXPECT_TRUE(references::compare(id(value), id(value), 0).agrees()) << value;
+    EXPECT_TRUE(comparison::compare(id(value), id(value), 0).agrees()) << value;
     const double next = value == 0 ? 1 : value - 1;
-    const auto c = references::compare(id(value), id(next), 1e-6);
+    const auto c = comparison::compare(id(value), id(next), 1e-6);
     EXPECT_FALSE(c.agrees()) << value;
     EXPECT_EQ(c.max_error, 1) << value;
   }
@@ -146,7 +146,7 @@ TEST_F(ImageFiles, WholeNumbersOfTiffAreExactToo) {
     return tiff_bytes({{1, 1, 32, format, 1, 1, -1, little(value)}});
   };
   const auto difference = [&](std::uint16_t format) {
-    return references::compare(opened("a.tif", page(0xfffffff0U, format)),
+    return comparison::compare(opened("a.tif", page(0xfffffff0U, format)),
                                opened("b.tif", page(0xffffffefU, format)), 1e-6);
   };
   EXPECT_EQ(difference(1).max_error, 1);
@@ -176,7 +176,7 @@ TEST_F(ImageFiles, PixelsBeyondTheDisplayWindowAreThereToo) {
       opened("a.exr", exr_bytes({{{channel("Y", {5, 6})}, {-1, 0, 0, 0}, {0, 0, 0, 0}}}));
   EXPECT_EQ(image_of(beyond).values, (std::vector<float>{5, 6}));
   const PixelRows after = opened("b.exr", exr_bytes({{{channel("Y", {5, 6})}, {0, 0, 1, 0}, {0, 0, 0, 0}}}));
-  const auto mismatch = references::shape_mismatch(beyond, after);
+  const auto mismatch = comparison::shape_mismatch(beyond, after);
   ASSERT_TRUE(mismatch);
   EXPECT_NE(mismatch->find("(-1,0)-(0,0)"), std::string::npos) << *mismatch;
   EXPECT_NE(mismatch->find("(0,0)-(1,0)"), std::string::npos) << *mismatch;
@@ -224,22 +224,22 @@ TEST_F(ImageFiles, OtherChannelsAreRefusedByTheirNames) {
   const PixelRows alpha = opened("a.exr", exr_of({"A", "B", "G", "R"}));
   const PixelRows depth = opened("z.exr", exr_of({"B", "G", "R", "Z"}));
   const PixelRows colour = opened("c.exr", exr_of({"B", "G", "R"}));
-  EXPECT_TRUE(references::shape_mismatch(alpha, depth));
-  EXPECT_FALSE(references::shape_mismatch(colour, opened("l.exr", exr_of({"LeB", "LeG", "LeR"}))));
-  EXPECT_NE(references::shape_mismatch(colour, depth)->find("a depth channel (Z)"), std::string::npos);
-  EXPECT_NE(references::shape_mismatch(colour, alpha)->find("an alpha channel"), std::string::npos);
+  EXPECT_TRUE(comparison::shape_mismatch(alpha, depth));
+  EXPECT_FALSE(comparison::shape_mismatch(colour, opened("l.exr", exr_of({"LeB", "LeG", "LeR"}))));
+  EXPECT_NE(comparison::shape_mismatch(colour, depth)->find("a depth channel (Z)"), std::string::npos);
+  EXPECT_NE(comparison::shape_mismatch(colour, alpha)->find("an alpha channel"), std::string::npos);
 }
 
 TEST_F(ImageFiles, AnOpaqueAlphaIsLeftOutOnEitherSideAndSaid) {
   PixelRows colour = opened("a.png", png(8, 2, "abc"));
   PixelRows opaque = opened("b.png", png(8, 6, "abc\xff"));
-  references::leave_out_opaque_alpha(colour, opaque);
-  EXPECT_FALSE(references::shape_mismatch(colour, opaque));
-  EXPECT_TRUE(references::compare(colour, opaque, 0).agrees());
+  comparison::leave_out_opaque_alpha(colour, opaque);
+  EXPECT_FALSE(comparison::shape_mismatch(colour, opaque));
+  EXPECT_TRUE(comparison::compare(colour, opaque, 0).agrees());
   EXPECT_EQ(opaque.contents.not_read.size(), 1U);
   PixelRows translucent = opened("c.png", png(8, 6, "abc\xfe"));
-  references::leave_out_opaque_alpha(translucent, colour);
-  EXPECT_TRUE(references::shape_mismatch(translucent, colour));
+  comparison::leave_out_opaque_alpha(translucent, colour);
+  EXPECT_TRUE(comparison::shape_mismatch(translucent, colour));
 }
 
 TEST_F(ImageFiles, ChannelsCanBeChosenByName) {

@@ -16,8 +16,8 @@ namespace plumb::tests {
 namespace {
 
 namespace fs = std::filesystem;
-using references::Journal;
-using references::JudgedPicture;
+using submissions::Journal;
+using submissions::JudgedPicture;
 
 std::string key(std::size_t i) {
   const std::string number = std::to_string(i);
@@ -27,24 +27,24 @@ std::string key(std::size_t i) {
 /// One of each verdict, with a diagnosis where that has one, and texts that JSON has to escape.
 std::vector<JudgedPicture> one_of_each() {
   std::vector<JudgedPicture> all;
-  for (int verdict = 0; verdict < static_cast<int>(references::Judged::trouble); ++verdict) {
+  for (int verdict = 0; verdict < static_cast<int>(submissions::Judged::trouble); ++verdict) {
     JudgedPicture picture;
     picture.submission = "=\"<b>\n\x01" + std::to_string(verdict);
     picture.scene = "s\xc3\xa9";
-    picture.verdict = static_cast<references::Judged>(verdict);
+    picture.verdict = static_cast<submissions::Judged>(verdict);
     picture.message = verdict % 2 == 0 ? "" : "a \\ message";
     picture.printed = "\t<img>";
     picture.wall_seconds = 0.1 * verdict;
     all.push_back(picture);
   }
-  references::Diagnosis right;
-  right.verdict = references::PictureVerdict::right;
-  right.encoding = {true, references::Curve::srgb, true, true, false};
+  diagnosis::Diagnosis right;
+  right.verdict = diagnosis::PictureVerdict::right;
+  right.encoding = {true, diagnosis::Curve::srgb, true, true, false};
   right.rms = 1.0 / 3;
   right.pixels = 768;
   all[0].diagnosis = right;
-  references::Diagnosis apart = right;
-  apart.verdict = references::PictureVerdict::right_apart;
+  diagnosis::Diagnosis apart = right;
+  apart.verdict = diagnosis::PictureVerdict::right_apart;
   apart.encoding.has_equal_parts = true;
   apart.encoding.levels = {32, 64, 32};
   apart.encoding.lost = 0.1F;
@@ -53,24 +53,21 @@ std::vector<JudgedPicture> one_of_each() {
   apart.edges = 2;
   apart.unexplained_pixels = 9;
   apart.habits = {{"background", "Where nothing is hit, it is black.", Rgbd(0, 1.0 / 3, 0.5)}};
-  apart.certain = {references::Certainty::right, references::Certainty::right,
-                   references::Certainty::unknown};
+  apart.certain = {diagnosis::Certainty::right, diagnosis::Certainty::right, diagnosis::Certainty::unknown};
   apart.shapes = {{"tiny", 8}, {"", 1}};
   all[1].diagnosis = apart;
-  references::Diagnosis wrong = right;
-  wrong.verdict = references::PictureVerdict::faults;
+  diagnosis::Diagnosis wrong = right;
+  wrong.verdict = diagnosis::PictureVerdict::faults;
   wrong.is_flipped = true;
   wrong.pixels_over = 3;
-  const auto& faults = references::fault_catalogue();
-  wrong.faults = {
-      {&faults[2], 0.1 + 0.2, 77, {&faults[5], &faults[6]}},
-      {&faults[1], 1, 5, {}},
-      {&references::geometry_families().front(), 0.95, 9, {}},
-      {&references::shading_families().at(3), 0.9, 8, {&references::shading_families().at(30)}, 11}};
-  wrong.certain = {references::Certainty::wrong, references::Certainty::unknown,
-                   references::Certainty::wrong};
+  const auto& faults = faults::fault_catalogue();
+  wrong.faults = {{&faults[2], 0.1 + 0.2, 77, {&faults[5], &faults[6]}},
+                  {&faults[1], 1, 5, {}},
+                  {&faults::geometry_families().front(), 0.95, 9, {}},
+                  {&faults::shading_families().at(3), 0.9, 8, {&faults::shading_families().at(30)}, 11}};
+  wrong.certain = {diagnosis::Certainty::wrong, diagnosis::Certainty::unknown, diagnosis::Certainty::wrong};
   all[2].diagnosis = wrong;
-  wrong.verdict = references::PictureVerdict::unexplained;
+  wrong.verdict = diagnosis::PictureVerdict::unexplained;
   wrong.faults.clear();
   wrong.rms = std::numeric_limits<double>::quiet_NaN();
   all[3].diagnosis = wrong;
@@ -81,15 +78,15 @@ std::vector<JudgedPicture> one_of_each() {
 std::string told(const std::vector<JudgedPicture>& all, const std::string& report) {
   std::string text;
   for (int hint = 1; hint <= 3; ++hint) {
-    text += references::overview_json(all, hint).dump() + references::overview_csv(all, hint) +
-            references::overview_junit(all, hint);
-    references::write_overview(report, all, hint);
+    text += report::overview_json(all, hint).dump() + report::overview_csv(all, hint) +
+            report::overview_junit(all, hint);
+    report::write_overview(report, all, hint);
     for (const std::string& page : listing(report)) text += read_file(report + "/" + page);
   }
   return text;
 }
 
-references::html::ThreePictures pictures(std::size_t i) { return {"right", "yours", std::to_string(i)}; }
+report::html::ThreePictures pictures(std::size_t i) { return {"right", "yours", std::to_string(i)}; }
 
 TEST(Journal, WhatIsKeptIsToldTheSame) {
   const Workplace place;
@@ -170,10 +167,10 @@ TEST(Fingerprint, ChangesWithAnyChange) {
   const Workplace place;
   fs::create_directories(place.path("d/e"));
   place.file("d/e/f", "one");
-  std::string last = references::fingerprint_of(place.path("d"));
-  EXPECT_EQ(references::fingerprint_of(place.path("d")), last);
+  std::string last = submissions::fingerprint_of(place.path("d"));
+  EXPECT_EQ(submissions::fingerprint_of(place.path("d")), last);
   const auto expect_change = [&](const char* what) {
-    const std::string now = references::fingerprint_of(place.path("d"));
+    const std::string now = submissions::fingerprint_of(place.path("d"));
     EXPECT_NE(now, last) << what;
     last = now;
   };
@@ -189,18 +186,18 @@ TEST(Fingerprint, ChangesWithAnyChange) {
   place.file("d/journal", "");
   expect_change("a file and a directory");
   const std::vector<std::string> out{place.path("d/out"), place.path("d/journal"), place.path("d/later")};
-  last = references::fingerprint_of(place.path("d"), out);
+  last = submissions::fingerprint_of(place.path("d"), out);
   place.file("d/out/page", "");
   place.file("d/journal", "longer");
   place.file("d/later", "");
-  EXPECT_EQ(references::fingerprint_of(place.path("d"), out), last) << "what is left out";
+  EXPECT_EQ(submissions::fingerprint_of(place.path("d"), out), last) << "what is left out";
   place.file("d/another", "");
-  EXPECT_NE(references::fingerprint_of(place.path("d"), out), last);
-  EXPECT_THROW(references::fingerprint_of(place.path("none")), std::runtime_error);
+  EXPECT_NE(submissions::fingerprint_of(place.path("d"), out), last);
+  EXPECT_THROW(submissions::fingerprint_of(place.path("none")), std::runtime_error);
 }
 
 TEST(NoPicture, TellsAPrintedPictureFromWords) {
-  const auto printed = [](std::string_view text) { return references::printed_image(std::string(text)); };
+  const auto printed = [](std::string_view text) { return submissions::printed_image(std::string(text)); };
   EXPECT_EQ(printed("P3\n2 2\n255\n"), "PPM (P3)");
   EXPECT_EQ(printed("rendering ...\nP6 # by me\n2 2 255\n"), "PPM (P6)");
   EXPECT_EQ(printed("PF\n2 2\n-1\n"), "PFM (PF)");
@@ -212,11 +209,11 @@ TEST(NoPicture, TellsAPrintedPictureFromWords) {
 }
 
 TEST(ShownName, IsUtf8WhateverTheName) {
-  EXPECT_EQ(references::shown_name("ad\xc3\xa9"), "ad\xc3\xa9");
-  EXPECT_EQ(references::shown_name("ad\xe9"), "ad\\xe9");
-  EXPECT_EQ(references::shown_name("a\\b"), "a\\b");
-  EXPECT_EQ(references::shown_name("ad\\xe9"), "ad\\x5cxe9") << "would be shown as the name before";
-  EXPECT_EQ(references::shown_text("ad\xe9!"), "ad\xEF\xBF\xBD!");
+  EXPECT_EQ(submissions::shown_name("ad\xc3\xa9"), "ad\xc3\xa9");
+  EXPECT_EQ(submissions::shown_name("ad\xe9"), "ad\\xe9");
+  EXPECT_EQ(submissions::shown_name("a\\b"), "a\\b");
+  EXPECT_EQ(submissions::shown_name("ad\\xe9"), "ad\\x5cxe9") << "would be shown as the name before";
+  EXPECT_EQ(submissions::shown_text("ad\xe9!"), "ad\xEF\xBF\xBD!");
 }
 
 }  // namespace

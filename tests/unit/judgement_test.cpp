@@ -14,7 +14,7 @@
 #include "tracer/engine/render.hpp"
 #include "tracer/format/reader.hpp"
 
-namespace plumb::references {
+namespace plumb::tests {
 namespace {
 
 /// Of one value.
@@ -43,12 +43,12 @@ class JudgedPictures : public testing::Test {
     return image;
   }
 
-  Judgement judged(const Image& reference, const Image& ours) const {
-    return judge_pixels({{scene_, scene_.cameras.front(), ours.width, ours.height, options_},
-                         reference,
-                         ours,
-                         1e-6,
-                         povray_resolution()});
+  truth::Judgement judged(const Image& reference, const Image& ours) const {
+    return truth::judge_pixels({{scene_, scene_.cameras.front(), ours.width, ours.height, options_},
+                                reference,
+                                ours,
+                                1e-6,
+                                renderers::povray_resolution()});
   }
 
   Scene scene_;
@@ -59,33 +59,37 @@ class JudgedPictures : public testing::Test {
 TEST_F(JudgedPictures, NothingIsJudgedWhereTheyAgree) { EXPECT_TRUE(judged(right_, right_).pixels.empty()); }
 
 TEST_F(JudgedPictures, NothingExplainsAPixelAtWhichOursIsWrong) {
-  const auto budget_beside = [](Verdict verdict, Cause cause = Cause::silhouette) {
-    Judgement judgement;
+  const auto budget_beside = [](truth::Verdict verdict,
+                                attribution::Cause cause = attribution::Cause::silhouette) {
+    truth::Judgement judgement;
     judgement.pixels.push_back({3, 4, verdict, {}, {}, {}});
-    Budget budget;
-    budget.pixels = {{2, 4, Cause::silhouette}, {3, 4, cause}, {4, 3, Cause::silhouette}};
-    reconcile(judgement, budget);
-    EXPECT_EQ(budget.pixels[0].cause, Cause::silhouette) << "another pixel";
-    EXPECT_EQ(budget.pixels[2].cause, Cause::silhouette) << "another pixel";
+    attribution::Budget budget;
+    budget.pixels = {
+        {2, 4, attribution::Cause::silhouette}, {3, 4, cause}, {4, 3, attribution::Cause::silhouette}};
+    truth::reconcile(judgement, budget);
+    EXPECT_EQ(budget.pixels[0].cause, attribution::Cause::silhouette) << "another pixel";
+    EXPECT_EQ(budget.pixels[2].cause, attribution::Cause::silhouette) << "another pixel";
     return budget.pixels[1].cause;
   };
-  EXPECT_EQ(budget_beside(Verdict::ours_wrong), Cause::unexplained);
-  EXPECT_EQ(budget_beside(Verdict::both_wrong), Cause::unexplained);
-  EXPECT_EQ(budget_beside(Verdict::reference_wrong), Cause::silhouette);
-  EXPECT_EQ(budget_beside(Verdict::undecided), Cause::silhouette);
-  EXPECT_EQ(budget_beside(Verdict::undecided, Cause::unexplained), Cause::undecided);
-  EXPECT_EQ(budget_beside(Verdict::reference_wrong, Cause::unexplained), Cause::unexplained);
+  EXPECT_EQ(budget_beside(truth::Verdict::ours_wrong), attribution::Cause::unexplained);
+  EXPECT_EQ(budget_beside(truth::Verdict::both_wrong), attribution::Cause::unexplained);
+  EXPECT_EQ(budget_beside(truth::Verdict::reference_wrong), attribution::Cause::silhouette);
+  EXPECT_EQ(budget_beside(truth::Verdict::undecided), attribution::Cause::silhouette);
+  EXPECT_EQ(budget_beside(truth::Verdict::undecided, attribution::Cause::unexplained),
+            attribution::Cause::undecided);
+  EXPECT_EQ(budget_beside(truth::Verdict::reference_wrong, attribution::Cause::unexplained),
+            attribution::Cause::unexplained);
 }
 
 TEST_F(JudgedPictures, TheWrongSideIsNamed) {
-  const Judgement ours = judged(right_, wrong_at(3, 4));
+  const truth::Judgement ours = judged(right_, wrong_at(3, 4));
   ASSERT_EQ(ours.pixels.size(), 1U);
-  EXPECT_EQ(ours.pixels[0].verdict, Verdict::ours_wrong);
+  EXPECT_EQ(ours.pixels[0].verdict, truth::Verdict::ours_wrong);
   EXPECT_EQ(ours.pixels[0].x, 3);
   EXPECT_EQ(ours.pixels[0].y, 4);
-  const Judgement reference = judged(wrong_at(3, 4), right_);
+  const truth::Judgement reference = judged(wrong_at(3, 4), right_);
   ASSERT_EQ(reference.pixels.size(), 1U);
-  EXPECT_EQ(reference.pixels[0].verdict, Verdict::reference_wrong);
+  EXPECT_EQ(reference.pixels[0].verdict, truth::Verdict::reference_wrong);
 }
 
 /// A ray that passes by the glass that it starts in, and then takes leaving it for entering, is no rounding.
@@ -106,19 +110,20 @@ TEST(JudgedGlass, AnInvertedRefractionIsWrongWhereTheEyeLiesOnGlass) {
   const float value[] = {0, 0.459F,
                          0.05F};  // bent by 1/1.5 where the ray leaves: the wall in place of a mirror
   std::copy(std::begin(value), std::end(value), inverted.pixel(0, 0));
-  const Judgement judged = judge_pixels({{scene, scene.cameras.front(), right.width, right.height},
-                                         inverted,
-                                         right,
-                                         1e-6,
-                                         povray_resolution()});
+  const truth::Judgement judged =
+      truth::judge_pixels({{scene, scene.cameras.front(), right.width, right.height},
+                           inverted,
+                           right,
+                           1e-6,
+                           renderers::povray_resolution()});
   ASSERT_EQ(judged.pixels.size(), 1U);
-  EXPECT_EQ(judged.pixels[0].verdict, Verdict::reference_wrong);
+  EXPECT_EQ(judged.pixels[0].verdict, truth::Verdict::reference_wrong);
 }
 
 TEST_F(JudgedPictures, BothMayBeWrong) {
   Image darker = right_;
   darker.pixel(3, 4)[1] -= 0.01F;
-  EXPECT_EQ(judged(darker, wrong_at(3, 4)).count(Verdict::both_wrong), 1U);
+  EXPECT_EQ(judged(darker, wrong_at(3, 4)).count(truth::Verdict::both_wrong), 1U);
 }
 
 TEST_F(JudgedPictures, TwoValuesOnEitherSideOfTheRightOneAreUndecided) {
@@ -126,25 +131,26 @@ TEST_F(JudgedPictures, TwoValuesOnEitherSideOfTheRightOneAreUndecided) {
   Image higher = right_;
   lower.pixel(3, 4)[1] -= 0.7e-6F;
   higher.pixel(3, 4)[1] += 0.7e-6F;
-  EXPECT_EQ(judged(lower, higher).count(Verdict::undecided), 1U);
+  EXPECT_EQ(judged(lower, higher).count(truth::Verdict::undecided), 1U);
 }
 
 TEST_F(JudgedPictures, WhatIsNotJudgedIsCounted) {
-  const AttributionJob job{{scene_, scene_.cameras.front(), right_.width, right_.height, options_},
-                           right_,
-                           wrong_at(3, 4),
-                           1e-6,
-                           povray_resolution()};
-  const Judgement judgement = judge_pixels(job, 0);
+  const attribution::AttributionJob job{
+      {scene_, scene_.cameras.front(), right_.width, right_.height, options_},
+      right_,
+      wrong_at(3, 4),
+      1e-6,
+      renderers::povray_resolution()};
+  const truth::Judgement judgement = truth::judge_pixels(job, 0);
   EXPECT_EQ(judgement.not_judged, 1U);
   EXPECT_TRUE(judgement.ran_out);
-  EXPECT_FALSE(references::note_of(judgement).empty());
+  EXPECT_FALSE(report::note_of(judgement).empty());
 }
 
 TEST_F(JudgedPictures, WhatIsNotFiniteIsWrong) {
   Image ours = right_;
   ours.pixel(3, 4)[1] = std::numeric_limits<float>::quiet_NaN();
-  EXPECT_EQ(judged(right_, ours).count(Verdict::ours_wrong), 1U);
+  EXPECT_EQ(judged(right_, ours).count(truth::Verdict::ours_wrong), 1U);
 }
 
 TEST_F(JudgedPictures, TheToleranceIsRelativeAboveOne) {
@@ -154,14 +160,14 @@ TEST_F(JudgedPictures, TheToleranceIsRelativeAboveOne) {
     Image ours = reference;
     reference.pixel(1, 0)[0] -= 3.5e-6F;  // within 4e-6 of 4
     ours.pixel(1, 0)[0] += by;
-    return judge_pixels({{bright, bright.cameras.front(), ours.width, ours.height, options_},
-                         reference,
-                         ours,
-                         1e-6,
-                         povray_resolution()});
+    return truth::judge_pixels({{bright, bright.cameras.front(), ours.width, ours.height, options_},
+                                reference,
+                                ours,
+                                1e-6,
+                                renderers::povray_resolution()});
   };
-  EXPECT_EQ(verdicts(3.5e-6F).count(Verdict::undecided), 1U);
-  EXPECT_EQ(verdicts(6e-6F).count(Verdict::ours_wrong), 1U);
+  EXPECT_EQ(verdicts(3.5e-6F).count(truth::Verdict::undecided), 1U);
+  EXPECT_EQ(verdicts(6e-6F).count(truth::Verdict::ours_wrong), 1U);
 }
 
 /// Seen under 90 degrees from the origin, so that the ray of a pixel is known by heart; all glows.
@@ -178,13 +184,14 @@ void expect_open(const Scene& scene, int side, int x, int y) {
   Image misses = sees;
   for (int c = 0; c < 3; ++c) sees.pixel(x, y)[c] = 0.5F;
   for (const bool ours_sees : {true, false}) {
-    const Judgement judgement = judge_pixels({{scene, scene.cameras.front(), sees.width, sees.height},
-                                              ours_sees ? misses : sees,
-                                              ours_sees ? sees : misses,
-                                              1e-6,
-                                              povray_resolution()});
+    const truth::Judgement judgement =
+        truth::judge_pixels({{scene, scene.cameras.front(), sees.width, sees.height},
+                             ours_sees ? misses : sees,
+                             ours_sees ? sees : misses,
+                             1e-6,
+                             renderers::povray_resolution()});
     ASSERT_EQ(judgement.pixels.size(), 1U);
-    EXPECT_EQ(judgement.pixels[0].verdict, Verdict::undecided);
+    EXPECT_EQ(judgement.pixels[0].verdict, truth::Verdict::undecided);
   }
 }
 
@@ -203,13 +210,14 @@ TEST(Judgement, WhatNoEdgeExplainsIsWrongThere) {
   const Image shape = plain(8, 8, 0.5F);
   Image brighter = shape;
   brighter.pixel(5, 3)[0] = 0.6F;
-  const Judgement judgement = judge_pixels({{scene, scene.cameras.front(), shape.width, shape.height},
-                                            shape,
-                                            brighter,
-                                            1e-6,
-                                            povray_resolution()});
+  const truth::Judgement judgement =
+      truth::judge_pixels({{scene, scene.cameras.front(), shape.width, shape.height},
+                           shape,
+                           brighter,
+                           1e-6,
+                           renderers::povray_resolution()});
   ASSERT_EQ(judgement.pixels.size(), 1U);
-  EXPECT_EQ(judgement.pixels[0].verdict, Verdict::ours_wrong);
+  EXPECT_EQ(judgement.pixels[0].verdict, truth::Verdict::ours_wrong);
 }
 
 /// Sixteen pixels a side, a pixel beside the edge of a box, of which one side sees the box and the other one
@@ -219,14 +227,15 @@ class OnePixelWithoutACause : public testing::Test {
   static constexpr int on_edge = 11;  // its centre looks at x = 1.75 where z = -4
   static constexpr int beside = 12;
 
-  static Cause settled(const Image& reference, const Image& ours, int x,
-                       const Resolution& resolution = povray_resolution()) {
+  static attribution::Cause settled(
+      const Image& reference, const Image& ours, int x,
+      const renderers::Resolution& resolution = renderers::povray_resolution()) {
     const Scene scene = glowing("define shape box front -1 -1 -6 1.75 1 -4 glow");
-    const AttributionJob job{
+    const attribution::AttributionJob job{
         {scene, scene.cameras.front(), ours.width, ours.height}, reference, ours, 1e-6, resolution};
-    Budget budget;
-    budget.pixels = {{x, 8, Cause::unexplained}};
-    settle_undecided(job, budget);
+    attribution::Budget budget;
+    budget.pixels = {{x, 8, attribution::Cause::unexplained}};
+    truth::settle_undecided(job, budget);
     return budget.pixels.front().cause;
   }
   static Image with(float value, int x) {
@@ -237,36 +246,40 @@ class OnePixelWithoutACause : public testing::Test {
 };
 
 TEST_F(OnePixelWithoutACause, IsUndecidedWhereTheLastDigitsLeadToBothValues) {
-  EXPECT_EQ(settled(with(0.5F, on_edge), with(0, on_edge), on_edge), Cause::undecided);
-  EXPECT_EQ(settled(with(0, on_edge), with(0.5F, on_edge), on_edge), Cause::undecided);
+  EXPECT_EQ(settled(with(0.5F, on_edge), with(0, on_edge), on_edge), attribution::Cause::undecided);
+  EXPECT_EQ(settled(with(0, on_edge), with(0.5F, on_edge), on_edge), attribution::Cause::undecided);
 }
 
 TEST_F(OnePixelWithoutACause, IsUnexplainedWhereOneOfThemIsWrong) {
-  EXPECT_EQ(settled(with(0.5F, beside), with(0, beside), beside), Cause::unexplained);
-  EXPECT_EQ(settled(with(0, on_edge), with(0.6F, on_edge), on_edge), Cause::unexplained);
+  EXPECT_EQ(settled(with(0.5F, beside), with(0, beside), beside), attribution::Cause::unexplained);
+  EXPECT_EQ(settled(with(0, on_edge), with(0.6F, on_edge), on_edge), attribution::Cause::unexplained);
   const float nan = std::numeric_limits<float>::quiet_NaN();
-  EXPECT_EQ(settled(with(0, on_edge), with(nan, on_edge), on_edge), Cause::unexplained);
+  EXPECT_EQ(settled(with(0, on_edge), with(nan, on_edge), on_edge), attribution::Cause::unexplained);
 }
 
 TEST_F(OnePixelWithoutACause, IsUnexplainedWhereTheSceneHasOneAnswerBetweenThem) {
-  EXPECT_EQ(settled(with(0.7e-6F, beside), with(-0.7e-6F, beside), beside), Cause::unexplained);
+  EXPECT_EQ(settled(with(0.7e-6F, beside), with(-0.7e-6F, beside), beside), attribution::Cause::unexplained);
 }
 
 TEST_F(OnePixelWithoutACause, IsUnexplainedAgainstABaseline) {
-  EXPECT_EQ(settled(with(0.5F, on_edge), with(0, on_edge), on_edge, own_resolution()), Cause::unexplained);
+  EXPECT_EQ(settled(with(0.5F, on_edge), with(0, on_edge), on_edge, renderers::own_resolution()),
+            attribution::Cause::unexplained);
 }
 
 TEST_F(OnePixelWithoutACause, IsUnexplainedAmongMoreThanMayBeUnverified) {
   const Scene scene = glowing("define shape box front -1 -1 -6 1.75 1 -4 glow");
   const Image reference = with(0.5F, on_edge);
   const Image ours = with(0, on_edge);
-  Budget budget;
-  for (int i = 0; i < 3; ++i) budget.pixels.push_back({on_edge, 8, Cause::unexplained});
-  settle_undecided(
-      {{scene, scene.cameras.front(), ours.width, ours.height}, reference, ours, 1e-6, povray_resolution()},
-      budget);
-  EXPECT_EQ(budget.count(Cause::unexplained), 3U) << "of 256 pixels";
+  attribution::Budget budget;
+  for (int i = 0; i < 3; ++i) budget.pixels.push_back({on_edge, 8, attribution::Cause::unexplained});
+  truth::settle_undecided({{scene, scene.cameras.front(), ours.width, ours.height},
+                           reference,
+                           ours,
+                           1e-6,
+                           renderers::povray_resolution()},
+                          budget);
+  EXPECT_EQ(budget.count(attribution::Cause::unexplained), 3U) << "of 256 pixels";
 }
 
 }  // namespace
-}  // namespace plumb::references
+}  // namespace plumb::tests

@@ -17,29 +17,29 @@
 namespace plumb::tests {
 namespace {
 
-using references::Found;
+using submissions::Found;
 using Words = std::vector<std::string>;
 
 TEST(SplitCommand, HonoursQuotesAndKnowsNothingOfShells) {
-  EXPECT_EQ(references::split_command("a  'b c' \"d \\\" e\" f\\ g ''"),
+  EXPECT_EQ(submissions::split_command("a  'b c' \"d \\\" e\" f\\ g ''"),
             (Words{"a", "b c", "d \" e", "f g", ""}));
-  EXPECT_EQ(references::split_command("a $HOME *;|&"), (Words{"a", "$HOME", "*;|&"}));
-  EXPECT_EQ(references::split_command("a 'b'\"c\"d"), (Words{"a", "bcd"}));
+  EXPECT_EQ(submissions::split_command("a $HOME *;|&"), (Words{"a", "$HOME", "*;|&"}));
+  EXPECT_EQ(submissions::split_command("a 'b'\"c\"d"), (Words{"a", "bcd"}));
 }
 
 TEST(SplitCommand, RefusesAnOpenQuoteAndNoProgram) {
   for (const char* const bad : {"", "  ", "a 'b", "a \"b", "''"})
-    EXPECT_THROW(references::split_command(bad), std::invalid_argument) << bad;
+    EXPECT_THROW(submissions::split_command(bad), std::invalid_argument) << bad;
 }
 
 TEST(Substituted, ReplacesWithinArgumentsOnce) {
-  EXPECT_EQ(references::substituted({"--in={scene}", "{image}", "{other}", "{"},
-                                    {{"scene", "{image}"}, {"image", "i"}}),
+  EXPECT_EQ(submissions::substituted({"--in={scene}", "{image}", "{other}", "{"},
+                                     {{"scene", "{image}"}, {"image", "i"}}),
             (Words{"--in={image}", "i", "{other}", "{"}));
 }
 
 Found take(const Workplace& workplace, const std::string& name) {
-  return references::take_file(workplace.path("in"), name, 10, workplace.path("taken"));
+  return submissions::take_file(workplace.path("in"), name, 10, workplace.path("taken"));
 }
 
 TEST(TakeFile, TakesRegularFilesAlone) {
@@ -65,39 +65,39 @@ TEST(TakeFile, TakesRegularFilesAlone) {
   EXPECT_EQ(read_file(workplace.path("taken")), "deep");
 }
 
-references::JudgedPicture hostile() {
-  references::JudgedPicture picture;
+submissions::JudgedPicture hostile() {
+  submissions::JudgedPicture picture;
   picture.submission = "=cmd()\"<script>alert(1)</script>";
   picture.scene = "a\"><b>";
-  picture.verdict = references::Judged::crashed;
+  picture.verdict = submissions::Judged::crashed;
   picture.message = "@SUM(1)";
   picture.printed = "<img src=x onerror=alert(1)>\x01";
   return picture;
 }
 
 TEST(Overview, ANameIsNeverAFormulaNorMarkup) {
-  const std::string csv = references::overview_csv({hostile()}, 3);
+  const std::string csv = report::overview_csv({hostile()}, 3);
   EXPECT_TRUE(
       contains(csv, "\"'=cmd()\"\"<script>alert(1)</script>\",\"a\"\"><b>\",crashed,\"\",\"'@SUM(1)\""))
       << csv;
   const Workplace workplace;
-  references::write_overview(workplace.path("report"), {hostile()}, 3);
+  report::write_overview(workplace.path("report"), {hostile()}, 3);
   for (const char* const name : {"report/index.html", "report/submission-1.html"}) {
     const std::string page = read_file(workplace.path(name));
     for (const char* const bad : {"<script", "<img", "\"><b>"}) EXPECT_FALSE(contains(page, bad)) << name;
     EXPECT_TRUE(contains(page, "&lt;script&gt;")) << name;
   }
-  EXPECT_FALSE(contains(references::overview_junit({hostile()}, 3), "<script"));
+  EXPECT_FALSE(contains(report::overview_junit({hostile()}, 3), "<script"));
 }
 
 TEST(ProcessTree, CountsThoseBelow) {
-  const std::size_t before = references::usage_below(getpid()).processes;
+  const std::size_t before = submissions::usage_below(getpid()).processes;
   const pid_t child = fork();
   if (child == 0) {
     pause();
     _exit(0);
   }
-  EXPECT_EQ(references::usage_below(getpid()).processes, before + 1);
+  EXPECT_EQ(submissions::usage_below(getpid()).processes, before + 1);
   kill(child, SIGKILL);
 }
 
@@ -114,7 +114,7 @@ bool is_runnable_while(void (*does)()) {
     _exit(0);
   }
   usleep(300'000);
-  const bool is_runnable = references::is_any_runnable(references::usage_below(getpid()).members);
+  const bool is_runnable = submissions::is_any_runnable(submissions::usage_below(getpid()).members);
   kill(child, SIGKILL);
   waitpid(child, nullptr, 0);
   return is_runnable;

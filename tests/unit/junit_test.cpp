@@ -9,7 +9,7 @@ namespace plumb::tests {
 namespace {
 
 using Json = nlohmann::json;
-using references::JunitCase;
+using report::JunitCase;
 using Outcome = JunitCase::Outcome;
 
 /// [tag, attributes, text, children] of the top element; not accepted by Json::parse when it is no XML.
@@ -28,10 +28,10 @@ Json parsed(const std::string& xml) {
 const Json& attribute(const Json& element, const char* name) { return element.at(1).at(name); }
 
 TEST(Junit, CountsEachOutcomeInBothHeads) {
-  const Json suites = parsed(references::junit_xml("scenes", {{"a", Outcome::passed, "", "", 0.25},
-                                                              {"b", Outcome::failed, "m", "d", 0.5},
-                                                              {"c", Outcome::failed, "m", "d", 0},
-                                                              {"d", Outcome::error, "m", "d", 1}}));
+  const Json suites = parsed(report::junit_xml("scenes", {{"a", Outcome::passed, "", "", 0.25},
+                                                          {"b", Outcome::failed, "m", "d", 0.5},
+                                                          {"c", Outcome::failed, "m", "d", 0},
+                                                          {"d", Outcome::error, "m", "d", 1}}));
   EXPECT_EQ(suites.at(0), "testsuites");
   const Json& suite = suites.at(3).at(0);
   EXPECT_EQ(suite.at(0), "testsuite");
@@ -51,8 +51,7 @@ TEST(Junit, CountsEachOutcomeInBothHeads) {
 
 TEST(Junit, HostileTextComesBackAsItWas) {
   const std::string hostile = "<a b=\"c\"> & 'd' ]]> --> &amp; \t \r\n \xC3\xA4 \xF0\x9F\x8E\xB1\n end";
-  const Json suites =
-      parsed(references::junit_xml(hostile, {{hostile, Outcome::failed, hostile, hostile, 0}}));
+  const Json suites = parsed(report::junit_xml(hostile, {{hostile, Outcome::failed, hostile, hostile, 0}}));
   const Json& test = suites.at(3).at(0).at(3).at(0);
   EXPECT_EQ(attribute(test, "name"), hostile);
   EXPECT_EQ(attribute(test, "classname"), hostile);
@@ -70,7 +69,7 @@ TEST(Junit, WhatXmlForbidsIsReplaced) {
   for (const std::string& forbidden : {controls, std::string("\xEF\xBF\xBE\xEF\xBF\xBF"), std::string("\xE4"),
                                        std::string("\xED\xA0\x80"), std::string("\xC3")}) {
     const Json suites =
-        parsed(references::junit_xml("s", {{"x" + forbidden + "y", Outcome::error, "", forbidden, 0}}));
+        parsed(report::junit_xml("s", {{"x" + forbidden + "y", Outcome::error, "", forbidden, 0}}));
     const std::string name = attribute(suites.at(3).at(0).at(3).at(0), "name");
     EXPECT_TRUE(name.starts_with("x" + replacement)) << name;
     EXPECT_TRUE(name.ends_with("y")) << name;

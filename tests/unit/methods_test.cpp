@@ -10,7 +10,7 @@
 #include "tests/support/run.hpp"
 #include "tracer/format/reader.hpp"
 
-namespace plumb::references {
+namespace plumb::tests {
 namespace {
 
 textbook::RenderJob small_job() {
@@ -26,29 +26,31 @@ Scene still_life() {
 
 TEST(MethodSets, TheFirstIsTheLectures) {
   const Scene scene = still_life();
-  EXPECT_EQ(method_sets().front().id, "lecture");
-  EXPECT_EQ(render_with_methods(method_sets().front(), scene, scene.cameras.front(), small_job()).rgb,
-            textbook::render(scene, scene.cameras.front(), small_job()).rgb);
+  EXPECT_EQ(methods::method_sets().front().id, "lecture");
+  EXPECT_EQ(
+      methods::render_with_methods(methods::method_sets().front(), scene, scene.cameras.front(), small_job())
+          .rgb,
+      textbook::render(scene, scene.cameras.front(), small_job()).rgb);
 }
 
 TEST(MethodSets, IdsAreUniqueAndEachNamesItsSource) {
   std::set<std::string_view> ids;
-  for (const MethodSet& set : method_sets()) {
+  for (const methods::MethodSet& set : methods::method_sets()) {
     EXPECT_TRUE(ids.insert(set.id).second) << set.id;
     EXPECT_FALSE(set.source.empty()) << set.id;
-    EXPECT_EQ(find_method_set(set.id), &set);
+    EXPECT_EQ(methods::find_method_set(set.id), &set);
   }
-  EXPECT_EQ(find_method_set("no-such-method"), nullptr);
+  EXPECT_EQ(methods::find_method_set("no-such-method"), nullptr);
 }
 
 TEST(MethodSets, SphereAndBoxMethodsDrawTheSamePicture) {
   const Scene scene = still_life();
   const Image right = textbook::render(scene, scene.cameras.front(), small_job());
   int tried = 0;
-  for (const MethodSet& set : method_sets()) {
+  for (const methods::MethodSet& set : methods::method_sets()) {
     if (!set.id.starts_with("sphere-") && !set.id.starts_with("box-")) continue;
     ++tried;
-    const Image image = render_with_methods(set, scene, scene.cameras.front(), small_job());
+    const Image image = methods::render_with_methods(set, scene, scene.cameras.front(), small_job());
     int pixels = 0;
     for (std::size_t i = 0; i < image.rgb.size(); ++i) {
       // because methods differ by some 1e-16 of t, enlarged by mirrors and glass
@@ -60,11 +62,11 @@ TEST(MethodSets, SphereAndBoxMethodsDrawTheSamePicture) {
 }
 
 /// By its definition, point by point.
-std::vector<bool> front_by_definition(const std::vector<CostAndError>& points) {
+std::vector<bool> front_by_definition(const std::vector<studies::CostAndError>& points) {
   std::vector<bool> on;
-  for (const CostAndError& p : points) {
+  for (const studies::CostAndError& p : points) {
     bool is_beaten = false;
-    for (const CostAndError& q : points) {
+    for (const studies::CostAndError& q : points) {
       const bool as_good = q.cost <= p.cost && q.error <= p.error;
       is_beaten = is_beaten || (as_good && (q.cost < p.cost || q.error < p.error));
     }
@@ -77,11 +79,11 @@ TEST(ParetoFront, IsThatOfTheDefinition) {
   std::uint32_t state = 1;
   const auto random = [&] { return static_cast<double>((state = state * 1664525U + 1013904223U) >> 28U); };
   for (int set = 0; set < 200; ++set) {
-    std::vector<CostAndError> points;
+    std::vector<studies::CostAndError> points;
     for (int i = 0; i < 12; ++i) points.push_back({random(), random()});  // of 16 values: many are equal
-    EXPECT_EQ(pareto_front(points), front_by_definition(points)) << set;
+    EXPECT_EQ(studies::pareto_front(points), front_by_definition(points)) << set;
   }
 }
 
 }  // namespace
-}  // namespace plumb::references
+}  // namespace plumb::tests

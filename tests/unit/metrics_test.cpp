@@ -11,10 +11,10 @@
 namespace plumb::tests {
 namespace {
 
-using references::cheap_metrics;
-using references::ColourSpace;
-using references::Metrics;
-using references::PictureView;
+using comparison::cheap_metrics;
+using comparison::ColourSpace;
+using comparison::Metrics;
+using comparison::PictureView;
 
 using Values = std::vector<float>;
 
@@ -65,7 +65,7 @@ TEST(Metrics, WhatIsNotFiniteEntersNoFigure) {
   EXPECT_EQ(m.percentiles[3], 0.5);
   EXPECT_EQ(m.peak, 1);
   const Values a{0, nan}, b{0, 0};
-  const Metrics all = references::all_metrics({2, 1, 1, a.data()}, {2, 1, 1, b.data()}, ColourSpace::linear);
+  const Metrics all = comparison::all_metrics({2, 1, 1, a.data()}, {2, 1, 1, b.data()}, ColourSpace::linear);
   EXPECT_FALSE(all.scalars.empty());
   for (const auto& scalar : all.scalars) EXPECT_FALSE(scalar.has_value());
   EXPECT_FALSE(all.flip.has_value());
@@ -81,7 +81,7 @@ TEST(Metrics, NothingFiniteGivesFiniteFigures) {
 // --- SSIM --------------------------------------------------------------------------------------------
 
 std::optional<double> ssim_of(int width, int height, const Values& reference, const Values& test) {
-  return references::ssim({width, height, 1, reference.data()}, {width, height, 1, test.data()}, 1);
+  return comparison::ssim({width, height, 1, reference.data()}, {width, height, 1, test.data()}, 1);
 }
 
 TEST(Ssim, EqualPicturesGiveOne) {

@@ -36,9 +36,9 @@ Curve truncated(double most) {
   return [most](double v) { return std::floor(std::min(v, 1.0) * most) / most; };
 }
 
-std::optional<references::LikelyCause> cause_of(ImageFile test, ImageFile reference = reference_picture()) {
+std::optional<comparison::LikelyCause> cause_of(ImageFile test, ImageFile reference = reference_picture()) {
   const PixelRows r = rows_of(std::move(reference)), t = rows_of(std::move(test));
-  return references::likely_cause(r, t, tolerance, references::compare(r, t, tolerance));
+  return comparison::likely_cause(r, t, tolerance, comparison::compare(r, t, tolerance));
 }
 
 std::string name_of(ImageFile test) {

@@ -14,8 +14,8 @@
 namespace plumb::tests {
 namespace {
 
-using references::Observed;
-using references::Untouched;
+using studies::Observed;
+using studies::Untouched;
 using textbook::RayKind;
 
 Scene course_scene(const std::string& name) {
@@ -34,7 +34,7 @@ RenderJob job_of(int width = 40, int height = 30) {
 }
 
 Observed observed(const Scene& scene, const RenderJob& job = job_of()) {
-  return references::observe(scene, camera_of(scene), job);
+  return studies::observe(scene, camera_of(scene), job);
 }
 
 // ---- what is observed
@@ -54,7 +54,7 @@ TEST(Observe, CountsTheRaysThatTheEngineCounts) {
 
 TEST(Observe, WhatLiesBehindTheEyeTouchesNoRay) {
   const Scene scene = course_scene("ray-behind-the-eye");
-  const Untouched untouched = references::untouched_by(scene, observed(scene), {});
+  const Untouched untouched = studies::untouched_by(scene, observed(scene), {});
   ASSERT_EQ(untouched.shapes.size(), 2U);
   EXPECT_EQ(scene.shapes[untouched.shapes[0]].name, "behind");
   EXPECT_EQ(scene.shapes[untouched.shapes[1]].name, "also_behind");
@@ -72,7 +72,7 @@ TEST(Observe, ABlockerThatIsNotSeenIsTouched) {
   EXPECT_EQ(seen.shapes[1].hits(), 0U);
   EXPECT_GT(seen.shapes[1].blocked, 0U);
   EXPECT_EQ(seen.shapes[1].blocked, seen.shadows);
-  const Untouched untouched = references::untouched_by(scene, seen, {});
+  const Untouched untouched = studies::untouched_by(scene, seen, {});
   EXPECT_TRUE(untouched.shapes.empty());
   EXPECT_EQ(untouched.materials, std::vector<MaterialId>{1});
   EXPECT_EQ(untouched.lights, std::vector<std::size_t>{1});
@@ -88,7 +88,7 @@ TEST(Observe, GlassThatFiltersLightOutsideThePictureIsNeeded) {
   const auto not_needed = [&](GlassShadow shadow) {
     RenderJob job = job_of();
     job.options.glass_shadow = shadow;
-    return references::untouched_by(scene, observed(scene, job), job.options).shapes;
+    return studies::untouched_by(scene, observed(scene, job), job.options).shapes;
   };
   EXPECT_TRUE(not_needed(GlassShadow::full).empty());
   EXPECT_TRUE(not_needed(GlassShadow::filtered).empty());
@@ -124,7 +124,7 @@ TEST(Observe, MirrorsThatFaceEachOtherReachTheDepthAskedFor) {
 
 TEST(Features, TellWhatIsInTheSceneFromWhatIsSeen) {
   const Scene scene = course_scene("ray-behind-the-eye");
-  const auto features = references::features_of(scene, camera_of(scene), {}, observed(scene));
+  const auto features = studies::features_of(scene, camera_of(scene), {}, observed(scene));
   const auto row = [&](const std::string& id) {
     return *std::find_if(features.begin(), features.end(), [&](const auto& f) { return f.id == id; });
   };
@@ -140,9 +140,9 @@ TEST(Untouched, WithoutItEveryPictureIsTheSame) {
   for (const auto& entry : std::filesystem::directory_iterator(source_path("tests/scenes"))) {
     if (entry.path().extension() != ".sdf") continue;
     const Scene scene = load_scene(entry.path().string(), {});
-    const Untouched untouched = references::untouched_by(scene, observed(scene, job_of(24, 18)), {});
+    const Untouched untouched = studies::untouched_by(scene, observed(scene, job_of(24, 18)), {});
     taken_out += untouched.shapes.size() + untouched.lights.size();
-    const Scene rest = references::without(scene, untouched);
+    const Scene rest = studies::without(scene, untouched);
     EXPECT_EQ(engine::render(scene, camera_of(scene), job_of(24, 18)).rgb,
               engine::render(rest, camera_of(scene), job_of(24, 18)).rgb)
         << entry.path();
@@ -155,7 +155,7 @@ TEST(Untouched, ACompositeGoesWithAllThatItHolds) {
       "define material m 1 1 1 0 0 0 0 0 0 1\nambient 1 1 1\ndefine shape sphere far 0 0 50 1 m\n"
       "define shape composite behind far\ndefine shape sphere seen 0 0 -5 1 m\n"
       "define shape composite group seen behind\ndefine camera eye 60\n");
-  const Scene rest = references::without(scene, references::untouched_by(scene, observed(scene), {}));
+  const Scene rest = studies::without(scene, studies::untouched_by(scene, observed(scene), {}));
   ASSERT_EQ(rest.shapes.size(), 2U);
   EXPECT_EQ(rest.shapes[0].name, "seen");
   EXPECT_EQ(std::get<Composite>(rest.shapes[1].geometry).children, std::vector<ShapeId>{0});
@@ -165,10 +165,10 @@ TEST(Untouched, ACompositeGoesWithAllThatItHolds) {
 
 TEST(Needs, TheDepthOfASceneOfMirrorsIsTheAskedOneAndOfOthersOne) {
   const Scene mirrors = course_scene("recursion-depth"), plain = course_scene("phong");
-  const auto deep = references::needs_of(mirrors, camera_of(mirrors), job_of(), 1e-6);
+  const auto deep = studies::needs_of(mirrors, camera_of(mirrors), job_of(), 1e-6);
   EXPECT_EQ(deep.depth.same_from, 8);
   EXPECT_GT(deep.depth.change_beyond, 0);
-  const auto flat = references::needs_of(plain, camera_of(plain), job_of(), 1e-6);
+  const auto flat = studies::needs_of(plain, camera_of(plain), job_of(), 1e-6);
   EXPECT_EQ(flat.depth.same_from, 1);
   EXPECT_EQ(flat.depth.change_beyond, 0);
   EXPECT_TRUE(flat.is_same_without_untouched);
@@ -176,7 +176,7 @@ TEST(Needs, TheDepthOfASceneOfMirrorsIsTheAskedOneAndOfOthersOne) {
 
 TEST(Needs, TotalReflectionEndsBeforeTheDepthAskedFor) {
   const Scene scene = course_scene("total-reflection");
-  const auto needs = references::needs_of(scene, camera_of(scene), job_of(), 1e-6);
+  const auto needs = studies::needs_of(scene, camera_of(scene), job_of(), 1e-6);
   EXPECT_EQ(needs.depth.same_from, needs.observed.deepest + 1);
   RenderJob job = job_of();
   job.options.depth = needs.depth.same_from;
@@ -190,7 +190,7 @@ TEST(Needs, TotalReflectionEndsBeforeTheDepthAskedFor) {
 
 TEST(Needs, CostsAreOfWhatTheSceneHas) {
   const Scene scene = course_scene("mirror");
-  const auto needs = references::needs_of(scene, camera_of(scene), job_of(), 1e-6);
+  const auto needs = studies::needs_of(scene, camera_of(scene), job_of(), 1e-6);
   std::set<std::string> costs;
   for (const auto& cost : needs.costs.costs) {
     costs.insert(cost.feature);

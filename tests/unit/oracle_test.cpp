@@ -8,7 +8,7 @@
 namespace plumb::tests {
 namespace {
 
-using references::Oracle;
+using truth::Oracle;
 
 constexpr int side = 8;
 
@@ -249,7 +249,7 @@ TEST(Oracle, SomeMovesKeepWhatIsEqualAndTheOthersPartIt) {
       scene_of("define shape sphere a 2 1 -4 1 matt\ndefine shape box b 2 0 -6 3 1 -4 matt\n" + matt);
   int parted = 0;
   for (int pattern = 0; pattern < Oracle::patterns; ++pattern) {
-    const Scene moved = references::with_other_last_digits(scene, pattern);
+    const Scene moved = truth::with_other_last_digits(scene, pattern);
     const auto& sphere = std::get<Sphere>(moved.shapes[0].geometry);
     const auto& box = std::get<Box>(moved.shapes[1].geometry);
     EXPECT_NE(sphere.center, std::get<Sphere>(scene.shapes[0].geometry).center) << pattern;

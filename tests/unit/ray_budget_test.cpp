@@ -31,12 +31,12 @@ double instances_of(const Scene& scene) {
 }
 
 /// Rays that are traced, and those to lights that light their point.
-double charged_rays(const references::RayNode& tree) {
+double charged_rays(const attribution::RayNode& tree) {
   double rays = 1;
   if (tree.meeting) {
     for (const auto& light : tree.meeting->lights) rays += light.counts ? 1 : 0;
   }
-  for (const references::RayNode& child : tree.children) rays += charged_rays(child);
+  for (const attribution::RayNode& child : tree.children) rays += charged_rays(child);
   return rays;
 }
 
@@ -52,7 +52,7 @@ double spent_by(const Traced& trace) {
 class PriceOfAPixel : public testing::TestWithParam<unsigned> {
  protected:
   double expected() const {
-    const references::TreeTracer tracer(shot());
+    const attribution::TreeTracer tracer(shot());
     return charged_rays(tracer.tree_of(place_.x, place_.y)) * (20 + instances_of(scene_));
   }
   const Camera& camera() const { return scene_.cameras.front(); }
@@ -65,17 +65,17 @@ class PriceOfAPixel : public testing::TestWithParam<unsigned> {
 
 TEST_P(PriceOfAPixel, IsTheSameWithAndWithoutATree) {
   const Image none(side, side);
-  const references::AttributionJob job{shot(), none, none, 1e-6, references::povray_resolution()};
+  const attribution::AttributionJob job{shot(), none, none, 1e-6, renderers::povray_resolution()};
   Work work(endless);
-  const references::PixelTracer tracer(scene_, job, random_.options, work);
+  const attribution::PixelTracer tracer(scene_, job, random_.options, work);
   const double world = work.spent();
   EXPECT_EQ(world, 50.0 * static_cast<double>(scene_.shapes.size()));
-  tracer.at({place_.x, place_.y, references::Cause::unexplained});
+  tracer.at({place_.x, place_.y, attribution::Cause::unexplained});
   EXPECT_EQ(work.spent() - world, expected());
-  tracer.tree_of({place_.x, place_.y, references::Cause::unexplained});
+  tracer.tree_of({place_.x, place_.y, attribution::Cause::unexplained});
   EXPECT_EQ(work.spent() - world, 2 * expected());
   EXPECT_EQ(
-      spent_by([&](Work& of_tree) { references::TreeTracer(shot(), of_tree).tree_of(place_.x, place_.y); }),
+      spent_by([&](Work& of_tree) { attribution::TreeTracer(shot(), of_tree).tree_of(place_.x, place_.y); }),
       expected());
 }
 
@@ -83,19 +83,18 @@ TEST_P(PriceOfAPixel, IsTheSameForFaults) {
   textbook::RenderJob job;
   job.width = job.height = side;
   job.options = random_.options;
-  EXPECT_EQ(
-      spent_by([&](Work& work) { references::colours_with(scene_, camera(), job, {}, {place_}, work); }),
-      expected());
+  EXPECT_EQ(spent_by([&](Work& work) { faults::colours_with(scene_, camera(), job, {}, {place_}, work); }),
+            expected());
 }
 
 TEST_P(PriceOfAPixel, IsThirtyTimesAsMuchInQuad) {
   RenderJob job;
   job.width = job.height = side;
   job.options = random_.options;
-  EXPECT_EQ(spent_by([&](Work& work) { references::ask_oracle(scene_, camera(), job, {place_}, work); }),
+  EXPECT_EQ(spent_by([&](Work& work) { truth::ask_oracle(scene_, camera(), job, {place_}, work); }),
             30 * expected());
   Work work(endless);
-  const references::Oracle oracle(shot(), work);
+  const truth::Oracle oracle(shot(), work);
   const double world = work.spent();
   EXPECT_EQ(world, 30 * 50.0 * static_cast<double>(scene_.shapes.size()));
   oracle.colour(place_.x, place_.y);

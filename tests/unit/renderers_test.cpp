@@ -17,10 +17,10 @@
 namespace plumb::tests {
 namespace {
 
-using references::CachedRenderer;
-using references::ExportedShot;
-using references::Holds;
-using references::Rendered;
+using renderers::CachedRenderer;
+using renderers::ExportedShot;
+using renderers::Holds;
+using renderers::Rendered;
 
 Scene two_cameras() {
   return read_scene(R"(
@@ -57,7 +57,7 @@ TEST(Shot, IsThatOfTheOptionsWhereTheySayOtherwise) {
 }
 
 /// A program that counts how often it renders.
-class CountedProgram : public references::ProgramRenderer {
+class CountedProgram : public renderers::ProgramRenderer {
  public:
   CountedProgram(const std::string& name, int& runs, Holds made = Holds::float32)
       : ProgramRenderer({name, name}), runs_(runs), made_(made) {}
@@ -118,10 +118,10 @@ TEST_F(CachedPrograms, RenderAgainWhatHeldLessThanItCould) {
 }
 
 TEST(Registry, NamesTheReferencesItHas) {
-  EXPECT_EQ(references::program_renderer({})->facts().name, "povray");
-  EXPECT_EQ(references::program_renderer({.name = "povray"})->facts().title, "POV-Ray");
+  EXPECT_EQ(renderers::program_renderer({})->facts().name, "povray");
+  EXPECT_EQ(renderers::program_renderer({.name = "povray"})->facts().title, "POV-Ray");
   try {
-    references::program_renderer({.name = "nosuch"});
+    renderers::program_renderer({.name = "nosuch"});
     FAIL() << "there is none of that name";
   } catch (const std::invalid_argument& error) {
     const std::string said = error.what();
@@ -134,19 +134,19 @@ TEST(Resolution, IsThatOfTheRenderer) {
   Scene scene = two_cameras();
   Scene moved = scene;
   const Shot shot = shot_of(scene, {Size{8, 8}, "eye"});
-  const double extent = references::povray_resolution().extent(scene, shot.camera);
+  const double extent = renderers::povray_resolution().extent(scene, shot.camera);
   // A face on each side of what the centres of a column see: 50 steps of POV-Ray away from it.
   std::get<Box>(scene.shapes[0].geometry).max.x += 0.5e-6 * extent;
   std::get<Box>(moved.shapes[0].geometry).max.x -= 0.5e-6 * extent;
-  const references::OurRenderer ours(references::OwnTracer::textbook);
+  const renderers::OurRenderer ours(renderers::OwnTracer::textbook);
   const Image test = ours.render(shot).image;
   const Image reference = ours.render({moved, shot.camera, 8, 8}).image;
-  references::Resolution coarse = references::povray_resolution();
+  renderers::Resolution coarse = renderers::povray_resolution();
   coarse.step = 1e-5;
-  const auto explained = [&](const references::Resolution& resolution) {
-    return references::attribute({shot, reference, test, 1e-6, resolution}).explained();
+  const auto explained = [&](const renderers::Resolution& resolution) {
+    return attribution::attribute({shot, reference, test, 1e-6, resolution}).explained();
   };
-  EXPECT_EQ(explained(references::povray_resolution()), 0U);
+  EXPECT_EQ(explained(renderers::povray_resolution()), 0U);
   EXPECT_GT(explained(coarse), 0U);
 }
 

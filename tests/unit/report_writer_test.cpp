@@ -24,7 +24,7 @@
 namespace plumb::tests {
 namespace {
 
-using namespace plumb::references;
+using namespace plumb::report;
 using Json = nlohmann::json;
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();

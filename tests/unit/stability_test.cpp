@@ -13,7 +13,7 @@
 #include "tracer/methods/method_sets.hpp"
 #include "tracer/methods/sphere.hpp"
 
-namespace plumb::references::stability {
+namespace plumb::tests::stability {
 namespace {
 
 long rays() {
@@ -22,18 +22,19 @@ long rays() {
 }
 
 /// Every ray that truly hits, the grazing ones too.
-SphereSetting any_hit(double distance, Random& random) {
-  return {Vec3<double>(0), 1, distance, std::sqrt(uniform(random))};
+studies::stability::SphereSetting any_hit(double distance, studies::stability::Random& random) {
+  return {Vec3<double>(0), 1, distance, std::sqrt(studies::stability::uniform(random))};
 }
 
 /// Share of the true hits of a unit sphere that a method loses.
 template <class Real>
-double lost(IntersectSphere<Real> method, SphereAt setting, double distance) {
-  const Experiment experiment = sphere_trial<Real>(method, setting);
-  Random random(1);
+double lost(studies::stability::IntersectSphere<Real> method, studies::stability::SphereAt setting,
+            double distance) {
+  const studies::stability::Experiment experiment = studies::stability::sphere_trial<Real>(method, setting);
+  studies::stability::Random random(1);
   long hits = 0, missed = 0;
   for (long i = 0; i < rays(); ++i) {
-    const Trial trial = experiment(distance, random);
+    const studies::stability::Trial trial = experiment(distance, random);
     hits += trial.counts ? 1 : 0;
     missed += trial.counts && trial.missed ? 1 : 0;
   }
@@ -50,35 +51,38 @@ TEST(Stability, TheNaiveSphereLosesHitsInFloat) {
 
 TEST(Stability, HainesLosesNoClearHitInFloatUpToHalfAMillion) {
   for (const double distance : {1e3, 4100.0, 1e5, 5e5})
-    EXPECT_EQ(lost<float>(&methods::sphere_haines<float>, &far_sphere, distance), 0) << distance;
+    EXPECT_EQ(lost<float>(&methods::sphere_haines<float>, &studies::stability::far_sphere, distance), 0)
+        << distance;
 }
 
-double most_ulps(SphereAt setting) {
-  const Experiment experiment = sphere_trial<double>(&formulas::intersect_sphere<double>, setting);
-  Random random(2);
+double most_ulps(studies::stability::SphereAt setting) {
+  const studies::stability::Experiment experiment =
+      studies::stability::sphere_trial<double>(&formulas::intersect_sphere<double>, setting);
+  studies::stability::Random random(2);
   double most = 0;
   for (long i = 0; i < rays(); ++i) {
-    const double value = std::pow(10.0, 6 * uniform(random));
-    const Trial t = experiment(value, random);
+    const double value = std::pow(10.0, 6 * studies::stability::uniform(random));
+    const studies::stability::Trial t = experiment(value, random);
     if (t.counts) most = std::max(most, t.missed ? 1e300 : t.ulps);
   }
   return most;
 }
 
 TEST(Stability, ClearHitsOfTheDefaultAreWithin16UlpInDoubleUpToAMillion) {
-  EXPECT_LE(most_ulps(&far_sphere), 16);
-  EXPECT_LE(most_ulps(&small_sphere), 16);
-  EXPECT_LE(most_ulps(&scaled_sphere), 16);
-  EXPECT_LE(most_ulps(&shrunk_sphere), 16);
-  EXPECT_LE(most_ulps(&offset_sphere), 16);
+  EXPECT_LE(most_ulps(&studies::stability::far_sphere), 16);
+  EXPECT_LE(most_ulps(&studies::stability::small_sphere), 16);
+  EXPECT_LE(most_ulps(&studies::stability::scaled_sphere), 16);
+  EXPECT_LE(most_ulps(&studies::stability::shrunk_sphere), 16);
+  EXPECT_LE(most_ulps(&studies::stability::offset_sphere), 16);
 }
 
-long self_hits(const Start<double>& way) {
-  const Experiment experiment = start_trial<double>(way, &scaled_sphere);
-  Random random(3);
+long self_hits(const studies::stability::Start<double>& way) {
+  const studies::stability::Experiment experiment =
+      studies::stability::start_trial<double>(way, &studies::stability::scaled_sphere);
+  studies::stability::Random random(3);
   long found = 0;
   for (long i = 0; i < rays(); ++i) {
-    const double scale = std::pow(10.0, 16 * uniform(random) - 8);
+    const double scale = std::pow(10.0, 16 * studies::stability::uniform(random) - 8);
     found += experiment(scale, random).self_shadow ? 1 : 0;
   }
   return found;
@@ -93,11 +97,11 @@ TEST(Stability, NoRayMeetsTheSurfaceItLeaves) {
 
 /// Boxes about the origin that share faces, edges and a corner there; aimed at what they share.
 long slips_through(bool at_corner) {
-  Random random(4);
+  studies::stability::Random random(4);
   long slipped = 0;
   for (long i = 0; i < rays(); ++i) {
-    const Vec3<double> eye = 4.0 * unit_vector(random);
-    const Vec3<double> aim(0, 0, at_corner ? 0 : 1.8 * uniform(random) - 0.9);
+    const Vec3<double> eye = 4.0 * studies::stability::unit_vector(random);
+    const Vec3<double> aim(0, 0, at_corner ? 0 : 1.8 * studies::stability::uniform(random) - 0.9);
     const Ray<double> ray{eye, glm::normalize(aim - eye)};
     bool hit = false;
     for (int octant = 0; octant < 8; ++octant) {
@@ -115,15 +119,16 @@ TEST(Stability, NothingSlipsBetweenBoxesThatShareFaces) {
 }
 
 /// Any exponent, zeros of both signs and infinity among them.
-double wild(Random& random) {
-  const double kind = uniform(random);
-  if (kind < 0.1) return uniform(random) < 0.5 ? 0.0 : -0.0;
+double wild(studies::stability::Random& random) {
+  const double kind = studies::stability::uniform(random);
+  if (kind < 0.1) return studies::stability::uniform(random) < 0.5 ? 0.0 : -0.0;
   if (kind < 0.12) return std::numeric_limits<double>::infinity();
-  return (uniform(random) < 0.5 ? -1 : 1) * std::pow(10.0, 600 * uniform(random) - 300);
+  return (studies::stability::uniform(random) < 0.5 ? -1 : 1) *
+         std::pow(10.0, 600 * studies::stability::uniform(random) - 300);
 }
 
 TEST(Stability, NoNanLeavesAnIntersection) {
-  Random random(5);
+  studies::stability::Random random(5);
   const auto vector = [&] { return Vec3<double>(wild(random), wild(random), wild(random)); };
   for (long i = 0; i < rays(); ++i) {
     const Ray<double> ray{vector(), vector()};
@@ -137,12 +142,13 @@ TEST(Stability, NoNanLeavesAnIntersection) {
 }
 
 TEST(Stability, TheSameSweepGivesTheSameNumbers) {
-  const Sweep sweep{true, "box-edge", {}, ""};
-  EXPECT_EQ(to_json(stability(sweep)), to_json(stability(sweep)));
+  const studies::stability::Sweep sweep{true, "box-edge", {}, ""};
+  EXPECT_EQ(report::to_json(studies::stability::stability(sweep)),
+            report::to_json(studies::stability::stability(sweep)));
 }
 
 TEST(Stability, AnUnknownConditionIsNamed) {
-  EXPECT_THROW(stability({true, "weather", {}, ""}), std::invalid_argument);
+  EXPECT_THROW(studies::stability::stability({true, "weather", {}, ""}), std::invalid_argument);
 }
 
 TEST(Methods, EverySetRendersAndTheFirstIsTheLecture) {
@@ -154,12 +160,12 @@ TEST(Methods, EverySetRendersAndTheFirstIsTheLecture) {
   textbook::RenderJob job;
   job.width = job.height = 8;
   const Camera camera;
-  ASSERT_EQ(method_sets().front().id, "lecture");
-  EXPECT_EQ(render_with_methods(method_sets().front(), scene, camera, job).rgb,
+  ASSERT_EQ(methods::method_sets().front().id, "lecture");
+  EXPECT_EQ(methods::render_with_methods(methods::method_sets().front(), scene, camera, job).rgb,
             textbook::render(scene, camera, job).rgb);
-  for (const MethodSet& set : method_sets())
-    EXPECT_EQ(render_with_methods(set, scene, camera, job).width, 8) << set.id;
+  for (const methods::MethodSet& set : methods::method_sets())
+    EXPECT_EQ(methods::render_with_methods(set, scene, camera, job).width, 8) << set.id;
 }
 
 }  // namespace
-}  // namespace plumb::references::stability
+}  // namespace plumb::tests::stability

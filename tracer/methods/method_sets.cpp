@@ -12,7 +12,7 @@
 #include "tracer/textbook/rows.hpp"
 #include "tracer/textbook/tracer.hpp"
 
-namespace plumb::references {
+namespace plumb::methods {
 namespace {
 
 template <class Real>
@@ -141,4 +141,4 @@ Image render_with_methods(const MethodSet& set, const Scene& scene, const Camera
   return render_in<double>(set, scene, camera, job);
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::methods

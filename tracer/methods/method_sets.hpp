@@ -8,7 +8,7 @@
 #include "tracer/scene/scene.hpp"
 #include "tracer/textbook/render.hpp"
 
-namespace plumb::references {
+namespace plumb::methods {
 
 struct MethodSet {
   std::string_view id;      ///< lower case, words joined by -
@@ -27,4 +27,4 @@ const MethodSet* find_method_set(std::string_view id);
 Image render_with_methods(const MethodSet& set, const Scene& scene, const Camera& camera,
                           const textbook::RenderJob& job);
 
-}  // namespace plumb::references
+}  // namespace plumb::methods

@@ -8,7 +8,7 @@
 #include "references/comparison/metrics/flip_kernels.hpp"
 #include "tracer/system/in_parallel.hpp"
 
-namespace plumb::references {
+namespace plumb::comparison {
 namespace {
 
 /// Returns a finite luminance: the sum of the weights may be rounded above 1.
@@ -83,4 +83,4 @@ Flip flip(const PictureView& reference, const PictureView& test, ColourSpace spa
   return result;
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::comparison

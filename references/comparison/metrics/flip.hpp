@@ -11,7 +11,7 @@
 
 #include "references/comparison/metrics/picture.hpp"
 
-namespace plumb::references {
+namespace plumb::comparison {
 
 /// What the values of a picture mean.
 enum class ColourSpace {
@@ -46,4 +46,4 @@ std::vector<float> flip_map(const PictureView& reference, const PictureView& tes
 /// Returns mean and largest value of that map.
 Flip flip(const PictureView& reference, const PictureView& test, ColourSpace space);
 
-}  // namespace plumb::references
+}  // namespace plumb::comparison

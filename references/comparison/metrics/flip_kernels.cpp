@@ -15,7 +15,7 @@
 #include "tracer/system/vectors.hpp"
 
 HWY_BEFORE_NAMESPACE();
-namespace plumb::references::flip_kernels::HWY_NAMESPACE {
+namespace plumb::comparison::flip_kernels::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 using D = hn::ScalableTag<float>;
@@ -213,11 +213,11 @@ void raise_errors_target(const Opponent& reference, const Opponent& test, std::s
   }
 }
 
-}  // namespace plumb::references::flip_kernels::HWY_NAMESPACE
+}  // namespace plumb::comparison::flip_kernels::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace plumb::references::flip_kernels {
+namespace plumb::comparison::flip_kernels {
 
 Opponent to_opponent(const PictureView& picture, ColourSpace space, float exposure) {
   Opponent planes;
@@ -247,5 +247,5 @@ void raise_errors(const Opponent& reference, const Opponent& test, std::size_t f
       reference, test, first, last, errors);
 }
 
-}  // namespace plumb::references::flip_kernels
+}  // namespace plumb::comparison::flip_kernels
 #endif

@@ -6,7 +6,7 @@
 
 #include "references/comparison/metrics/flip.hpp"
 
-namespace plumb::references::flip_kernels {
+namespace plumb::comparison::flip_kernels {
 
 /// Rows are padded by so many floats: a kernel may run over their end by less than a vector of any processor.
 inline constexpr std::size_t padding = 64;
@@ -26,4 +26,4 @@ Opponent to_opponent(const PictureView& picture, ColourSpace space, float exposu
 void raise_errors(const Opponent& reference, const Opponent& test, std::size_t first, std::size_t last,
                   float* errors);
 
-}  // namespace plumb::references::flip_kernels
+}  // namespace plumb::comparison::flip_kernels

@@ -4,7 +4,7 @@
 #include <glm/glm.hpp>
 #include <numbers>
 
-namespace plumb::references::flip_model {
+namespace plumb::comparison::flip_model {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -122,4 +122,4 @@ const Model& model() {
   return made;
 }
 
-}  // namespace plumb::references::flip_model
+}  // namespace plumb::comparison::flip_model

@@ -3,7 +3,7 @@
 
 #include <array>
 
-namespace plumb::references::flip_model {
+namespace plumb::comparison::flip_model {
 
 /// One half of a filter that is even or odd about its centre; weight 0 is the centre's.
 inline constexpr int most_taps = 16;
@@ -31,4 +31,4 @@ struct Model {
 /// Returns the same model at every call.
 const Model& model();
 
-}  // namespace plumb::references::flip_model
+}  // namespace plumb::comparison::flip_model

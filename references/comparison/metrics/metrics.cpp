@@ -5,7 +5,7 @@
 
 #include "references/comparison/metrics/ssim.hpp"
 
-namespace plumb::references {
+namespace plumb::comparison {
 namespace {
 
 /// Sums over the pixels that are finite on both sides.
@@ -88,4 +88,4 @@ Metrics all_metrics(const PictureView& reference, const PictureView& test, Colou
   return metrics;
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::comparison

@@ -9,7 +9,7 @@
 #include "references/comparison/metrics/flip.hpp"
 #include "references/comparison/metrics/picture.hpp"
 
-namespace plumb::references {
+namespace plumb::comparison {
 
 /// The percentiles that are reported, in thousandths.
 inline constexpr std::array<std::size_t, 4> permilles{500, 900, 990, 999};
@@ -45,4 +45,4 @@ Metrics cheap_metrics(const PictureView& reference, const PictureView& test);
 /// All. Those that are one number take `peak` for their dynamic range.
 Metrics all_metrics(const PictureView& reference, const PictureView& test, ColourSpace space);
 
-}  // namespace plumb::references
+}  // namespace plumb::comparison

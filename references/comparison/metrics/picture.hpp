@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-namespace plumb::references {
+namespace plumb::comparison {
 
 /// Interleaved float32 components, row 0 on top; not owned.
 struct PictureView {
@@ -17,4 +17,4 @@ struct PictureView {
   const float* pixel(std::size_t index) const { return values + index * static_cast<std::size_t>(channels); }
 };
 
-}  // namespace plumb::references
+}  // namespace plumb::comparison

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <vector>
 
-namespace plumb::references {
+namespace plumb::comparison {
 namespace {
 
 constexpr int window = 11;
@@ -104,4 +104,4 @@ std::optional<double> ssim(const PictureView& reference, const PictureView& test
   return sum / static_cast<double>(across * down);
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::comparison

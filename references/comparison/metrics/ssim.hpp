@@ -7,7 +7,7 @@
 
 #include "references/comparison/metrics/picture.hpp"
 
-namespace plumb::references {
+namespace plumb::comparison {
 
 /// Returns the mean over all 11 x 11 windows that lie inside (Gaussian of 1.5 pixels, K1 = 0.01, K2 = 0.03).
 /// It is that of the luminance 0.2126 r + 0.7152 g + 0.0722 b of the values as they stand, or of the first
@@ -15,4 +15,4 @@ namespace plumb::references {
 /// pictures, and nothing when no window fits.
 std::optional<double> ssim(const PictureView& reference, const PictureView& test, double peak);
 
-}  // namespace plumb::references
+}  // namespace plumb::comparison

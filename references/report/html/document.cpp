@@ -3,7 +3,7 @@
 #include "references/report/html/escape.hpp"
 #include "references/report/html/template.hpp"
 
-namespace plumb::references::html {
+namespace plumb::report::html {
 namespace {
 
 std::string figure(std::string_view png, std::string_view subject, const std::string& caption) {
@@ -68,4 +68,4 @@ std::string figures(const ThreePictures& pictures, std::string_view subject, std
          "\n";
 }
 
-}  // namespace plumb::references::html
+}  // namespace plumb::report::html

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace plumb::references::html {
+namespace plumb::report::html {
 
 /// A page in which nothing runs, whatever a name holds.
 struct Document {
@@ -58,4 +58,4 @@ struct ThreePictures {
 std::string figures(const ThreePictures& pictures, std::string_view subject, std::string_view remark = "",
                     std::string_view remark_on_right = "");
 
-}  // namespace plumb::references::html
+}  // namespace plumb::report::html

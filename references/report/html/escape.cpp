@@ -2,7 +2,7 @@
 
 #include "references/system/json.hpp"
 
-namespace plumb::references {
+namespace plumb::report {
 namespace {
 
 std::string_view name_of(char c) {
@@ -26,7 +26,7 @@ std::string_view name_of(char c) {
 
 std::string html_escaped(std::string_view text) {
   std::string escaped;
-  for (const char c : valid_utf8(std::string(text))) {
+  for (const char c : system::valid_utf8(std::string(text))) {
     const std::string_view name = name_of(c);
     if (name.empty())
       escaped += c;
@@ -36,4 +36,4 @@ std::string html_escaped(std::string_view text) {
   return escaped;
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::report

@@ -4,9 +4,9 @@
 #include <string>
 #include <string_view>
 
-namespace plumb::references {
+namespace plumb::report {
 
 /// Stands in HTML, between tags or in a quoted attribute, as itself.
 std::string html_escaped(std::string_view text);
 
-}  // namespace plumb::references
+}  // namespace plumb::report

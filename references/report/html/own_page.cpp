@@ -4,7 +4,7 @@
 #include <fstream>
 #include <stdexcept>
 
-namespace plumb::references {
+namespace plumb::report {
 
 void refuse_to_replace_others(const std::string& page) {
   if (!std::filesystem::is_regular_file(page)) return;
@@ -15,4 +15,4 @@ void refuse_to_replace_others(const std::string& page) {
   throw std::runtime_error(page + ": is no page of plumb's and is not replaced; choose another directory");
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::report

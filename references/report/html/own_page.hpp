@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace plumb::references {
+namespace plumb::report {
 
 /// Stands in the head of every page of ours, by which it is known.
 inline constexpr const char* generator_tag = "<meta name=\"generator\" content=\"plumb\">";
@@ -11,4 +11,4 @@ inline constexpr const char* generator_tag = "<meta name=\"generator\" content=\
 /// Throws std::runtime_error when a file that is no page of ours is there.
 void refuse_to_replace_others(const std::string& page);
 
-}  // namespace plumb::references
+}  // namespace plumb::report

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <stdexcept>
 
-namespace plumb::references {
+namespace plumb::report {
 namespace {
 
 const Bytef* bytes_of(std::string_view text) { return reinterpret_cast<const Bytef*>(text.data()); }
@@ -80,4 +80,4 @@ std::string png(int width, int height, int channels, const std::vector<unsigned 
   return "\x89PNG\r\n\x1a\n" + chunk("IHDR", header) + chunk("IDAT", deflated(lines)) + chunk("IEND", "");
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::report

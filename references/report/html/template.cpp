@@ -5,7 +5,7 @@
 #include "references/report/html/web.hpp"
 #include "references/system/digest.hpp"
 
-namespace plumb::references::html {
+namespace plumb::report::html {
 namespace {
 
 std::string policy(std::string_view script_sources) {
@@ -24,7 +24,7 @@ std::string value_of(std::string_view name, std::string_view title, std::string_
 }  // namespace
 
 std::string hash_source(std::string_view text) {
-  const std::string hex = sha256(text);
+  const std::string hex = system::sha256(text);
   std::string bytes;
   for (std::size_t i = 0; i < hex.size(); i += 2) {
     bytes += static_cast<char>(std::stoi(hex.substr(i, 2), nullptr, 16));
@@ -45,4 +45,4 @@ std::string filled_template(std::string_view title, std::string_view body, std::
   return page + std::string(rest);
 }
 
-}  // namespace plumb::references::html
+}  // namespace plumb::report::html

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace plumb::references::html {
+namespace plumb::report::html {
 
 /// A whole page in the style sheet that all pages have. It loads nothing from a network, and nothing in it
 /// runs but what `script_sources` allows. `title` is text, `body` is HTML; `script_sources` is a list as
@@ -15,4 +15,4 @@ std::string filled_template(std::string_view title, std::string_view body,
 /// Names an inline script or style in a policy (Content Security Policy Level 3, section 2.3.1).
 std::string hash_source(std::string_view text);
 
-}  // namespace plumb::references::html
+}  // namespace plumb::report::html

@@ -7,7 +7,7 @@
 #include "references/report/html/packing.hpp"
 #include "tracer/image/encode.hpp"
 
-namespace plumb::references {
+namespace plumb::report {
 namespace {
 
 struct Range {
@@ -88,4 +88,4 @@ std::string error_thumbnail(const Image& reference, const Image& test) {
   });
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::report

@@ -5,7 +5,7 @@
 
 #include "tracer/image/image.hpp"
 
-namespace plumb::references {
+namespace plumb::report {
 
 /// A PNG of at most 144 pixels a side: the mean of what each of its pixels covers, sRGB, clamped. Values that
 /// are encoded already, as a screen shows them, get no curve once more.
@@ -15,4 +15,4 @@ std::string thumbnail(const Image& image, bool is_encoded = false);
 /// 0 is 1e-8 or less, 255 is 1 or more or not finite, logarithmic between.
 std::string error_thumbnail(const Image& reference, const Image& test);
 
-}  // namespace plumb::references
+}  // namespace plumb::report

@@ -3,10 +3,10 @@
 
 #include <string_view>
 
-namespace plumb::references::web {
+namespace plumb::report::web {
 
 extern const std::string_view page;    ///< HTML with {{title}}, {{policy}}, {{style}} and {{body}}
 extern const std::string_view style;   ///< CSS
 extern const std::string_view script;  ///< one classic script
 
-}  // namespace plumb::references::web
+}  // namespace plumb::report::web

@@ -20,7 +20,7 @@
 #include "tracer/format/reader.hpp"
 #include "tracer/format/writer.hpp"
 
-namespace plumb::references {
+namespace plumb::studies {
 namespace {
 
 constexpr double tolerance = 1e-6;      // that of plumb verify
@@ -52,15 +52,15 @@ std::string build() {
 struct Tools {
   Tools() {
     try {
-      povray_version = cache.version_of(PovrayRenderer());
-    } catch (const PovrayError&) {
+      povray_version = cache.version_of(renderers::PovrayRenderer());
+    } catch (const renderers::PovrayError&) {
       // The chart says so.
     }
   }
   bool has_povray() const { return !povray_version.empty(); }
   std::string directory() const { return cache.directory() + "/chart"; }
 
-  Cache cache;
+  renderers::Cache cache;
   std::string povray_version;  // empty when there is none
   InstructionCounter counter;
 };
@@ -98,7 +98,7 @@ class SceneMeasurer {
   };
 
   std::string path_of(const std::string& what) const {
-    return tools_.directory() + "/" + sha256(about_ + "\n" + what);
+    return tools_.directory() + "/" + system::sha256(about_ + "\n" + what);
   }
 
   Entry entry_of(const Configuration& way) const {
@@ -135,7 +135,7 @@ class SceneMeasurer {
         const Image& right = truth(entry.way.truth);
         const auto image = picture_by(entry.way, failed);
         if (!image) continue;
-        const Comparison c = compare(right, *image, tolerance);
+        const comparison::Comparison c = comparison::compare(right, *image, tolerance);
         entry.measured.error = {c.max_error, c.rms_error, c.pixels_over, c.non_finite};
         store_measurement(entry.path, entry.measured);
       }
@@ -180,7 +180,7 @@ class SceneMeasurer {
   }
 
   /// The same work for next to no pixels.
-  WorkCost cost_of_start(const Renderer& renderer) const {
+  WorkCost cost_of_start(const renderers::Renderer& renderer) const {
     Shot tiny = shot_;
     tiny.width = tiny.height = 2;
     return cost_of([&] { renderer.render(tiny); }, tools_.counter, 0);
@@ -276,4 +276,4 @@ Chart measure_chart(const std::vector<std::string>& scenes, const ChartOptions& 
   return chart;
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::studies

@@ -11,7 +11,7 @@
 #include "references/studies/chart/configuration.hpp"
 #include "references/studies/chart/measurement.hpp"
 
-namespace plumb::references {
+namespace plumb::studies {
 
 struct ChartOptions {
   Size size{160, 120};  ///< of all scenes; the oracle takes a minute for ten times as many pixels
@@ -63,4 +63,4 @@ struct Chart {
 /// scenes and rendering throw.
 Chart measure_chart(const std::vector<std::string>& scenes, const ChartOptions& options);
 
-}  // namespace plumb::references
+}  // namespace plumb::studies

@@ -7,7 +7,7 @@
 #include "tracer/methods/method_sets.hpp"
 #include "tracer/scene/hierarchy.hpp"
 
-namespace plumb::references {
+namespace plumb::studies {
 namespace {
 
 const char* name_of(RealType real) {
@@ -26,18 +26,20 @@ RenderJob in_one_thread(RealType real) {
 }
 
 /// The textbook tracer with other methods.
-class MethodRenderer : public Renderer {
+class MethodRenderer : public renderers::Renderer {
  public:
-  MethodRenderer(const MethodSet& methods, RenderJob how)
-      : Renderer({"textbook", "plumb's textbook tracer"}), methods_(methods), how_(std::move(how)) {}
+  MethodRenderer(const methods::MethodSet& methods, RenderJob how)
+      : renderers::Renderer({"textbook", "plumb's textbook tracer"}),
+        methods_(methods),
+        how_(std::move(how)) {}
 
   std::string version() const override { return PLUMB_VERSION; }
-  Rendered render(const Shot& shot) const override {
-    return {render_with_methods(methods_, shot.scene, shot.camera, job_of(shot, how_))};
+  renderers::Rendered render(const Shot& shot) const override {
+    return {methods::render_with_methods(methods_, shot.scene, shot.camera, job_of(shot, how_))};
   }
 
  private:
-  const MethodSet& methods_;
+  const methods::MethodSet& methods_;
   RenderJob how_;
 };
 
@@ -59,15 +61,15 @@ Configuration engine_way(RealType real, bool hierarchy, int samples, Truth truth
   how.samples = samples;
   engine::Settings settings;
   settings.has_hierarchy = hierarchy;
-  way.renderer = std::make_shared<OurRenderer>(OwnTracer::engine, how, settings);
+  way.renderer = std::make_shared<renderers::OurRenderer>(renderers::OwnTracer::engine, how, settings);
   return way;
 }
 
-Configuration textbook_way(const MethodSet& methods, RealType real) {
+Configuration textbook_way(const methods::MethodSet& methods, RealType real) {
   Configuration way;
   way.id = "textbook-" + std::string(name_of(real));
   way.title = "textbook, " + words_of(real);
-  if (&methods != &method_sets().front()) {
+  if (&methods != &methods::method_sets().front()) {
     way.id += "-" + std::string(methods.id);
     way.title += ", " + std::string(methods.id);
   }
@@ -76,21 +78,23 @@ Configuration textbook_way(const MethodSet& methods, RealType real) {
   way.methods = methods.id;
   way.hierarchy = false;
   // The lecture's formulas known to the compiler: the tracer that users run.
-  if (&methods == &method_sets().front())
-    way.renderer = std::make_shared<OurRenderer>(OwnTracer::textbook, in_one_thread(real));
+  if (&methods == &methods::method_sets().front())
+    way.renderer =
+        std::make_shared<renderers::OurRenderer>(renderers::OwnTracer::textbook, in_one_thread(real));
   else
     way.renderer = std::make_shared<MethodRenderer>(methods, in_one_thread(real));
   return way;
 }
 
-Configuration povray_way(std::string id, std::string title, Holds holds,
+Configuration povray_way(std::string id, std::string title, renderers::Holds holds,
                          std::vector<std::string> arguments = {}) {
   Configuration way;
   way.id = way.work = "povray-" + std::move(id);
   way.title = "POV-Ray, " + std::move(title);
   way.real = "double";
   way.hierarchy = true;
-  way.renderer = std::make_shared<PovrayRenderer>(PovraySettings{holds, std::move(arguments)});
+  way.renderer =
+      std::make_shared<renderers::PovrayRenderer>(renderers::PovraySettings{holds, std::move(arguments)});
   way.is_program = true;
   return way;
 }
@@ -99,20 +103,20 @@ Configuration povray_way(std::string id, std::string title, Holds holds,
 /// samples where neighbours differ by more than the threshold; without jitter, so that runs repeat.
 Configuration antialiased(const std::string& id, const std::string& title, const std::string& threshold,
                           int edge) {
-  Configuration way =
-      povray_way(id, title, Holds::float32, {"+A" + threshold, "+AM1", "+R" + std::to_string(edge), "-J"});
+  Configuration way = povray_way(id, title, renderers::Holds::float32,
+                                 {"+A" + threshold, "+AM1", "+R" + std::to_string(edge), "-J"});
   way.samples = 1 + edge * edge;
   way.truth = Truth::pixel_areas;
   return way;
 }
 
 void add_povray(std::vector<Configuration>& ways) {
-  ways.push_back(povray_way("state", "state file", Holds::float32));
+  ways.push_back(povray_way("state", "state file", renderers::Holds::float32));
   // One run writes both files.
-  ways.push_back(povray_way("png16", "PNG16", Holds::bits16));
+  ways.push_back(povray_way("png16", "PNG16", renderers::Holds::bits16));
   ways.back().work = "povray-state";
-  ways.push_back(povray_way("png8", "PNG8", Holds::bits8));
-  ways.push_back(povray_way("samples-1", "1 sample", Holds::float32));
+  ways.push_back(povray_way("png8", "PNG8", renderers::Holds::bits8));
+  ways.push_back(povray_way("samples-1", "1 sample", renderers::Holds::float32));
   ways.back().work = "povray-state";
   ways.back().truth = Truth::pixel_areas;
   ways.push_back(antialiased("aa-default", "+A0.3 +R3", "0.3", 3));
@@ -137,11 +141,11 @@ std::vector<Configuration> configurations(const Scene& scene, bool has_povray) {
     ways.push_back(engine_way(real, true, 1, Truth::pixel_centres));
     if (without_hierarchy) ways.push_back(engine_way(real, false, 1, Truth::pixel_centres));
   }
-  for (const MethodSet& methods : method_sets()) {
+  for (const methods::MethodSet& methods : methods::method_sets()) {
     for (const RealType real : {RealType::float32, RealType::float64})
       ways.push_back(textbook_way(methods, real));
   }
-  ways.push_back(textbook_way(method_sets().front(), RealType::long_double));
+  ways.push_back(textbook_way(methods::method_sets().front(), RealType::long_double));
   for (const RealType real : {RealType::float32, RealType::float64}) {
     for (const int samples : {1, 4, 16}) ways.push_back(engine_way(real, true, samples, Truth::pixel_areas));
   }
@@ -158,4 +162,4 @@ std::vector<std::string> left_out(const Scene& scene, bool has_povray) {
   return notes;
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::studies

@@ -9,7 +9,7 @@
 #include "references/renderers/renderer.hpp"
 #include "tracer/scene/scene.hpp"
 
-namespace plumb::references {
+namespace plumb::studies {
 
 /// What a picture is held against.
 enum class Truth {
@@ -27,8 +27,8 @@ struct Configuration {
   std::optional<bool> hierarchy;
   int samples = 1;  ///< of a pixel at most: POV-Ray takes more only where neighbours differ
   Truth truth = Truth::pixel_centres;
-  std::shared_ptr<const Renderer> renderer;  ///< in one thread
-  bool is_program = false;                   ///< its start costs something, and is no rendering
+  std::shared_ptr<const renderers::Renderer> renderer;  ///< in one thread
+  bool is_program = false;                              ///< its start costs something, and is no rendering
 };
 
 /// Above this number of objects, the engine renders nothing without a hierarchy.
@@ -43,4 +43,4 @@ std::vector<Configuration> configurations(const Scene& scene, bool has_povray);
 /// What was left out of configurations() for this scene, and why; empty when nothing.
 std::vector<std::string> left_out(const Scene& scene, bool has_povray);
 
-}  // namespace plumb::references
+}  // namespace plumb::studies

@@ -9,7 +9,7 @@
 #include <cstring>
 #include <ctime>
 
-namespace plumb::references {
+namespace plumb::studies {
 namespace {
 
 double seconds_of_children() {
@@ -73,4 +73,4 @@ WorkCost cost_of(const std::function<void()>& work, const InstructionCounter& co
   return cost;
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::studies

@@ -5,7 +5,7 @@
 #include <functional>
 #include <optional>
 
-namespace plumb::references {
+namespace plumb::studies {
 
 struct WorkCost {
   double cpu_seconds = 0;  ///< user and system, of all threads and of children that have ended
@@ -35,4 +35,4 @@ class InstructionCounter {
 /// small pictures take less than a millisecond.
 WorkCost cost_of(const std::function<void()>& work, const InstructionCounter& counter, double least_seconds);
 
-}  // namespace plumb::references
+}  // namespace plumb::studies

@@ -6,7 +6,7 @@
 #include "references/system/json.hpp"
 #include "tracer/system/files.hpp"
 
-namespace plumb::references {
+namespace plumb::studies {
 namespace {
 
 using Json = nlohmann::json;
@@ -36,7 +36,7 @@ double Measurement::seconds() const {
 Measurement load_measurement(const std::string& path) {
   if (!std::filesystem::is_regular_file(path)) return {};
   try {
-    const Json json = parse_json(read_file(path));
+    const Json json = system::parse_json(read_file(path));
     Measurement measurement;
     const Json& error = json.at("error");
     measurement.error = {error.at("max"), error.at("rms"), error.at("pixels_over"), error.at("non_finite")};
@@ -56,7 +56,7 @@ void store_measurement(const std::string& path, const Measurement& measurement) 
               {"non_finite", error.non_finite}}},
             {"runs", Json::array()}};
   for (const MeasuredRun& run : measurement.runs) json["runs"].push_back(json_of(run));
-  write_file(path, json_text(json) + "\n");
+  write_file(path, system::json_text(json) + "\n");
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::studies

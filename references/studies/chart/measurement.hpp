@@ -8,7 +8,7 @@
 
 #include "references/studies/chart/cost.hpp"
 
-namespace plumb::references {
+namespace plumb::studies {
 
 /// Absolute differences of linear components, as in Comparison.
 struct ChartError {
@@ -36,4 +36,4 @@ Measurement load_measurement(const std::string& path);
 /// Throws std::runtime_error when the file cannot be written.
 void store_measurement(const std::string& path, const Measurement& measurement);
 
-}  // namespace plumb::references
+}  // namespace plumb::studies

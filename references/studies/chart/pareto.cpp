@@ -6,7 +6,7 @@
 #include <limits>
 #include <numeric>
 
-namespace plumb::references {
+namespace plumb::studies {
 namespace {
 
 double ordered(double value) { return std::isnan(value) ? std::numeric_limits<double>::infinity() : value; }
@@ -33,4 +33,4 @@ std::vector<bool> pareto_front(const std::vector<CostAndError>& points) {
   return is_front;
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::studies

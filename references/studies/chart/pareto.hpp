@@ -3,7 +3,7 @@
 
 #include <vector>
 
-namespace plumb::references {
+namespace plumb::studies {
 
 struct CostAndError {
   double cost;
@@ -14,4 +14,4 @@ struct CostAndError {
 /// are equal in both do not beat each other.
 std::vector<bool> pareto_front(const std::vector<CostAndError>& points);
 
-}  // namespace plumb::references
+}  // namespace plumb::studies

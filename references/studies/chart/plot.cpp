@@ -7,7 +7,7 @@
 #include "tracer/system/files.hpp"
 #include "tracer/system/installation.hpp"
 
-namespace plumb::references {
+namespace plumb::studies {
 namespace {
 
 /// Runs plot.py in a directory; what it says when it fails is the message.
@@ -16,9 +16,9 @@ void run_plot(std::vector<std::string> command, const std::vector<std::string>& 
   const std::string python = command.front();
   command.insert(command.end(), {"-B", data_directory(Data::chart) + "/plot.py"});
   command.insert(command.end(), arguments.begin(), arguments.end());
-  ProcessLimits limits;
+  system::ProcessLimits limits;
   limits.seconds = 120;
-  const ProcessResult result = run_process(command, directory, limits);
+  const system::ProcessResult result = system::run_process(command, directory, limits);
   if (!result.timed_out && result.signal == 0 && result.exit_code == 0) return;
   constexpr int not_started = 127;
   if (result.exit_code == not_started)
@@ -30,13 +30,13 @@ void run_plot(std::vector<std::string> command, const std::vector<std::string>& 
 }  // namespace
 
 void check_plotting(const std::vector<std::string>& python) {
-  const TemporaryDirectory directory;
+  const system::TemporaryDirectory directory;
   run_plot(python, {"--check"}, directory.path());
 }
 
 void plot_chart(const std::string& json, const std::vector<std::string>& files,
                 const std::vector<std::string>& python) {
-  const TemporaryDirectory directory;
+  const system::TemporaryDirectory directory;
   write_file(directory.path() + "/chart.json", json);
   std::vector<std::string> arguments{"chart.json"};
   for (const std::string& file : files)
@@ -46,4 +46,4 @@ void plot_chart(const std::string& json, const std::vector<std::string>& files,
     write_file(files[i], read_file(directory.path() + "/" + arguments[i + 1]));
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::studies

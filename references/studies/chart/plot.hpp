@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace plumb::references {
+namespace plumb::studies {
 
 /// The python that draws: Debian's own, for which python3-matplotlib is installed.
 inline const std::vector<std::string> usual_python{"/usr/bin/python3"};
@@ -18,4 +18,4 @@ void check_plotting(const std::vector<std::string>& python = usual_python);
 void plot_chart(const std::string& json, const std::vector<std::string>& files,
                 const std::vector<std::string>& python = usual_python);
 
-}  // namespace plumb::references
+}  // namespace plumb::studies

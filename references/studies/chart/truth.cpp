@@ -9,12 +9,12 @@
 #include "tracer/system/files.hpp"
 #include "tracer/textbook/render.hpp"
 
-namespace plumb::references {
+namespace plumb::studies {
 namespace {
 
 /// SHA-256 of the floats, and the floats.
 std::string pack(const Image& image) {
-  std::string bytes = sha256(image.rgb);
+  std::string bytes = system::sha256(image.rgb);
   const std::size_t at = bytes.size();
   bytes.resize(at + image.rgb.size() * sizeof(float));
   std::memcpy(bytes.data() + at, image.rgb.data(), bytes.size() - at);
@@ -26,7 +26,7 @@ std::optional<Image> unpack(const std::string& bytes, int width, int height) {
   Image image(width, height);
   if (bytes.size() != digest + image.rgb.size() * sizeof(float)) return std::nullopt;
   std::memcpy(image.rgb.data(), bytes.data() + digest, bytes.size() - digest);
-  if (sha256(image.rgb) != bytes.substr(0, digest)) return std::nullopt;
+  if (system::sha256(image.rgb) != bytes.substr(0, digest)) return std::nullopt;
   return image;
 }
 
@@ -54,4 +54,4 @@ Image stored_truth(const Shot& shot, Truth truth, const std::string& path, bool 
   return image;
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::studies

@@ -6,7 +6,7 @@
 
 #include "references/studies/chart/configuration.hpp"
 
-namespace plumb::references {
+namespace plumb::studies {
 
 /// Number of samples of a pixel, a grid of 32 x 32, whose mean stands for the pixel's area. At an edge it is
 /// an eighth as far from that as 16 samples are: the error of a grid falls with its spacing.
@@ -20,4 +20,4 @@ Image render_truth(const Shot& shot, Truth truth, const std::function<void(doubl
 Image stored_truth(const Shot& shot, Truth truth, const std::string& path, bool fresh,
                    const std::function<void(double)>& progress);
 
-}  // namespace plumb::references
+}  // namespace plumb::studies

@@ -6,7 +6,7 @@
 
 #include "references/renderers/ours.hpp"
 
-namespace plumb::references {
+namespace plumb::studies {
 namespace {
 
 /// Because 5,000 pixels find a mistake in one of 1,700 pixels with a chance of 95 %. Those in which float and
@@ -55,7 +55,7 @@ PictureJudge::PictureJudge(const Scene& scene, const Camera& camera, const Rende
   in_double_ = rendered(RealType::float64, job.options.depth, double_);
   in_float_ = rendered(RealType::float32, job.options.depth, float_);
   is_looked_at_.assign(pixels(), false);
-  look_also_at(most_different(in_float_, in_double_, suspect_pixels));
+  look_also_at(truth::most_different(in_float_, in_double_, suspect_pixels));
   look_also_at(textbook::spread_pixels(job.width, job.height, most_spread_pixels));
   float_.error = error_of(in_float_);
   double_.error = error_of(in_double_);
@@ -66,7 +66,7 @@ Image PictureJudge::rendered(RealType real, int depth, Candidate& candidate) {
   job.real = real;
   job.options.depth = depth;
   const engine::Stopwatch watch;
-  Image image = render(OwnTracer::engine, scene_, camera_, job, &candidate.statistics);
+  Image image = renderers::render(renderers::OwnTracer::engine, scene_, camera_, job, &candidate.statistics);
   candidate.real = real;
   candidate.depth = depth;
   candidate.cpu_seconds = watch.elapsed().cpu;
@@ -81,24 +81,24 @@ void PictureJudge::look_also_at(const std::vector<PixelPlace>& places) {
     is_looked_at_[at] = true;
   }
   textbook::Work work(most_oracle_units);
-  OracleSample more = ask_oracle(scene_, camera_, job_, unseen, work);
+  truth::OracleSample more = truth::ask_oracle(scene_, camera_, job_, unseen, work);
   oracle_.cut += more.cut;
   oracle_.pixels.insert(oracle_.pixels.end(), more.pixels.begin(), more.pixels.end());
 }
 
 double PictureJudge::error_against_oracle(const Image& image) const {
   double error = 0;
-  for (const OraclePixel& p : oracle_.pixels)
-    error = std::max(error, error_of_pixel(p.colour, image, p.place));
+  for (const truth::OraclePixel& p : oracle_.pixels)
+    error = std::max(error, truth::error_of_pixel(p.colour, image, p.place));
   return error;
 }
 
-ErrorFigures PictureJudge::error_of(const Image& image) const {
+truth::ErrorFigures PictureJudge::error_of(const Image& image) const {
   double against_double = 0;
   for (int y = 0; y < image.height; ++y) {
     for (int x = 0; x < image.width; ++x) {
       const float* const p = in_double_.pixel(x, y);
-      against_double = std::max(against_double, error_of_pixel(Rgbd(p[0], p[1], p[2]), image, {x, y}));
+      against_double = std::max(against_double, truth::error_of_pixel(Rgbd(p[0], p[1], p[2]), image, {x, y}));
     }
   }
   return {error_against_oracle(image), against_double};
@@ -127,7 +127,7 @@ Choice in_long_double(PictureJudge& judge, double bound, Choice choice) {
   Candidate candidate;
   if (judge.job().samples == 1) {
     choice.image = judge.rendered(RealType::long_double, judge.job().options.depth, candidate);
-    judge.look_also_at(most_different(judge.picture(RealType::float64), choice.image, suspect_pixels));
+    judge.look_also_at(truth::most_different(judge.picture(RealType::float64), choice.image, suspect_pixels));
     candidate.error = {judge.error_against_oracle(choice.image), std::nullopt};
     choice.tried.push_back(candidate);
     choice.chosen = candidate;
@@ -178,4 +178,4 @@ std::string reason(const Choice& choice, double bound, int asked_depth) {
   return text + "\ntried, the cheapest kinds first:\n" + tried_text(choice.tried);
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::studies

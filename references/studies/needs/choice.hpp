@@ -10,13 +10,13 @@
 #include "references/truth/oracle_sample.hpp"
 #include "tracer/engine/statistics.hpp"
 
-namespace plumb::references {
+namespace plumb::studies {
 
 /// One way to render a picture, and what came of it.
 struct Candidate {
   RealType real = RealType::float64;
   int depth = 0;
-  ErrorFigures error;
+  truth::ErrorFigures error;
   double cpu_seconds = 0;
   engine::Statistics statistics{};
 };
@@ -34,10 +34,10 @@ class PictureJudge {
 
   /// Renders with the engine in float and double, with the textbook tracer in others.
   Image rendered(RealType real, int depth, Candidate& candidate);
-  ErrorFigures error_of(const Image& image) const;
+  truth::ErrorFigures error_of(const Image& image) const;
   double error_against_oracle(const Image& image) const;
 
-  const OracleSample& oracle() const { return oracle_; }
+  const truth::OracleSample& oracle() const { return oracle_; }
   std::size_t pixels() const {
     return static_cast<std::size_t>(job_.width) * static_cast<std::size_t>(job_.height);
   }
@@ -55,7 +55,7 @@ class PictureJudge {
   const RenderJob& job_;
   Candidate float_, double_;
   Image in_double_, in_float_;
-  OracleSample oracle_;
+  truth::OracleSample oracle_;
   std::vector<bool> is_looked_at_;  // by row and column
 };
 
@@ -84,4 +84,4 @@ Choice choose(const Scene& scene, const Camera& camera, const RenderJob& job, do
 /// Returns a few lines that say why, e.g. "float, depth 3: error 2.1e-07 (0.01 asked): ...".
 std::string reason(const Choice& choice, double bound, int asked_depth);
 
-}  // namespace plumb::references
+}  // namespace plumb::studies

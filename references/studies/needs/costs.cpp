@@ -7,7 +7,7 @@
 #include "references/attribution/terms.hpp"
 #include "tracer/engine/render.hpp"
 
-namespace plumb::references {
+namespace plumb::studies {
 namespace {
 
 /// The picture without one thing.
@@ -32,9 +32,10 @@ std::vector<Variant> variants_of(const Scene& scene, const RenderJob& job, const
   const auto no_highlight = [](Material& m) { m.ks = Rgbd(0); };
   const auto no_mirror = [](Material& m) { m.mirror = Rgbd(0); };
   const auto no_glass = [](Material& m) { m.transmit = Rgbd(0); };
-  const bool has_mirror = has(Term::mirror, scene), has_glass = has(Term::refraction, scene);
-  add("highlights", has(Term::specular, scene), of_materials(no_highlight));
-  add("shadows", has(Term::shadow, scene) && job.options.shadows,
+  const bool has_mirror = attribution::has(attribution::Term::mirror, scene),
+             has_glass = attribution::has(attribution::Term::refraction, scene);
+  add("highlights", attribution::has(attribution::Term::specular, scene), of_materials(no_highlight));
+  add("shadows", attribution::has(attribution::Term::shadow, scene) && job.options.shadows,
       [](Variant& v) { v.job.options.shadows = false; });
   add("lights", !scene.lights.empty(), [](Variant& v) { v.scene.lights.clear(); });
   add("mirrors", has_mirror, of_materials(no_mirror));
@@ -95,4 +96,4 @@ Costs measure_costs(const Scene& scene, const Camera& camera, const RenderJob& a
   return costs;
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::studies

@@ -8,7 +8,7 @@
 #include "references/studies/needs/untouched.hpp"
 #include "tracer/scene/render_job.hpp"
 
-namespace plumb::references {
+namespace plumb::studies {
 
 struct FeatureCost {
   std::string feature;
@@ -27,4 +27,4 @@ struct Costs {
 Costs measure_costs(const Scene& scene, const Camera& camera, const RenderJob& job,
                     const Untouched& untouched);
 
-}  // namespace plumb::references
+}  // namespace plumb::studies

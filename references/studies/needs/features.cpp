@@ -7,7 +7,7 @@
 #include "tracer/scene/each_kind.hpp"
 #include "tracer/scene/hierarchy.hpp"
 
-namespace plumb::references {
+namespace plumb::studies {
 namespace {
 
 using textbook::RayKind;
@@ -200,4 +200,4 @@ std::vector<Feature> features_of(const Scene& scene, const Camera& camera, const
   return rows;
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::studies

@@ -8,7 +8,7 @@
 #include "tracer/scene/render_options.hpp"
 #include "tracer/scene/scene.hpp"
 
-namespace plumb::references {
+namespace plumb::studies {
 
 /// A row of LECTURE.md, or a part of one.
 struct Feature {
@@ -25,4 +25,4 @@ struct Feature {
 std::vector<Feature> features_of(const Scene& scene, const Camera& camera, const RenderOptions& options,
                                  const Observed& observed);
 
-}  // namespace plumb::references
+}  // namespace plumb::studies

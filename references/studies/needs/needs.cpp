@@ -4,7 +4,7 @@
 
 #include "tracer/engine/render.hpp"
 
-namespace plumb::references {
+namespace plumb::studies {
 namespace {
 
 /// Every depth up to here is rendered; of deeper ones only those that the search tries.
@@ -88,4 +88,4 @@ std::string sufficient_real(const Needs& needs, double bound) {
   return needs.in_double.error.largest() <= bound ? "double" : "neither";
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::studies

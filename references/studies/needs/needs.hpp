@@ -9,7 +9,7 @@
 #include "references/studies/needs/observed.hpp"
 #include "references/studies/needs/untouched.hpp"
 
-namespace plumb::references {
+namespace plumb::studies {
 
 /// How far a picture of less depth is from the one asked for.
 struct DepthStep {
@@ -43,4 +43,4 @@ Needs needs_of(const Scene& scene, const Camera& camera, const RenderJob& job, d
 /// Returns the real type that suffices for an error bound by these figures: "float", "double", or "neither".
 std::string sufficient_real(const Needs& needs, double bound);
 
-}  // namespace plumb::references
+}  // namespace plumb::studies

@@ -9,7 +9,7 @@
 #include "tracer/textbook/sampled_pixels.hpp"
 #include "tracer/textbook/tracer.hpp"
 
-namespace plumb::references {
+namespace plumb::studies {
 namespace {
 
 using textbook::RayKind;
@@ -178,4 +178,4 @@ Observed observe(const Scene& scene, const Camera& camera, const RenderJob& job)
   return all;
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::studies

@@ -9,7 +9,7 @@
 #include "tracer/scene/scene.hpp"
 #include "tracer/textbook/observer.hpp"
 
-namespace plumb::references {
+namespace plumb::studies {
 
 /// How rays touch a sphere or box, summed over all paths by which it stands in the world.
 struct Touches {
@@ -45,4 +45,4 @@ struct Observed {
 /// spread ones. Expects a scene as read_scene returns it without errors.
 Observed observe(const Scene& scene, const Camera& camera, const RenderJob& job);
 
-}  // namespace plumb::references
+}  // namespace plumb::studies

@@ -4,7 +4,7 @@
 
 #include "tracer/scene/hierarchy.hpp"
 
-namespace plumb::references {
+namespace plumb::studies {
 namespace {
 
 bool is_touched(const Scene& scene, ShapeId id, const Observed& observed, const RenderOptions& options) {
@@ -79,4 +79,4 @@ Scene without(const Scene& scene, const Untouched& untouched) {
   return rest;
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::studies

@@ -7,7 +7,7 @@
 #include "tracer/scene/render_options.hpp"
 #include "tracer/scene/scene.hpp"
 
-namespace plumb::references {
+namespace plumb::studies {
 
 /// Holds for the pixels that were observed: this camera, this size and one sample per pixel.
 struct Untouched {
@@ -22,4 +22,4 @@ Untouched untouched_by(const Scene& scene, const Observed& observed, const Rende
 /// Returns the scene without these shapes and lights.
 Scene without(const Scene& scene, const Untouched& untouched);
 
-}  // namespace plumb::references
+}  // namespace plumb::studies

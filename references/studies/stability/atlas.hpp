@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace plumb::references::stability {
+namespace plumb::studies::stability {
 
 /// The first value of the condition at which it happens to any ray; nothing when it does not within the
 /// sweep.
@@ -50,4 +50,4 @@ struct Sweep {
 /// of that name. The same sweep gives the same numbers.
 std::vector<Condition> stability(const Sweep& sweep);
 
-}  // namespace plumb::references::stability
+}  // namespace plumb::studies::stability

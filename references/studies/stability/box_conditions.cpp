@@ -3,7 +3,7 @@
 #include "references/studies/stability/embree.hpp"
 #include "tracer/methods/box.hpp"
 
-namespace plumb::references::stability {
+namespace plumb::studies::stability {
 namespace {
 
 template <class Setting>
@@ -60,4 +60,4 @@ std::vector<ConditionEntry> conditions_of_boxes() {
           {"box-parallel", "1 / tilt", 1e18, false, 3000, boxes(Parallel())}};
 }
 
-}  // namespace plumb::references::stability
+}  // namespace plumb::studies::stability

@@ -4,7 +4,7 @@
 #include "references/studies/stability/trial.hpp"
 #include "tracer/formulas/box.hpp"
 
-namespace plumb::references::stability {
+namespace plumb::studies::stability {
 
 template <class Real>
 struct BoxCase {
@@ -76,4 +76,4 @@ Experiment box_trial(IntersectBox<Real> intersect, BoxAt<Real> setting) {
   };
 }
 
-}  // namespace plumb::references::stability
+}  // namespace plumb::studies::stability

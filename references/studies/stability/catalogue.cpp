@@ -10,7 +10,7 @@
 #include "references/studies/stability/embree.hpp"
 #include "references/studies/stability/rendered.hpp"
 
-namespace plumb::references::stability {
+namespace plumb::studies::stability {
 namespace {
 
 /// What is no number is farther off than any other.
@@ -113,4 +113,4 @@ std::vector<ConditionEntry> catalogue() {
   return all;
 }
 
-}  // namespace plumb::references::stability
+}  // namespace plumb::studies::stability

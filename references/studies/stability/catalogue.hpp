@@ -6,7 +6,7 @@
 
 #include "references/studies/stability/trial.hpp"
 
-namespace plumb::references::stability {
+namespace plumb::studies::stability {
 
 /// A method in one real type.
 struct Variant {
@@ -35,4 +35,4 @@ std::vector<ConditionEntry> catalogue();
 /// Sets why a method fails under a condition, and the remedy, where these are not its usual ones.
 void explain(const std::string& condition, Method& method);
 
-}  // namespace plumb::references::stability
+}  // namespace plumb::studies::stability

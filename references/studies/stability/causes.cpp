@@ -5,7 +5,7 @@
 
 #include "references/studies/stability/catalogue.hpp"
 
-namespace plumb::references::stability {
+namespace plumb::studies::stability {
 namespace {
 
 /// Explains all methods whose id begins like this, unless a line above fits.
@@ -108,4 +108,4 @@ void explain(const std::string& condition, Method& method) {
   method.remedy = found->remedy;
 }
 
-}  // namespace plumb::references::stability
+}  // namespace plumb::studies::stability

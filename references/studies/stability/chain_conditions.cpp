@@ -2,7 +2,7 @@
 #include "references/studies/stability/conditions.hpp"
 #include "references/studies/stability/embree.hpp"
 
-namespace plumb::references::stability {
+namespace plumb::studies::stability {
 namespace {
 
 std::optional<float> embree_instance(const Placed<float>& placed, const Ray<float>& ray) {
@@ -65,4 +65,4 @@ std::vector<ConditionEntry> conditions_of_secondary_rays() {
                 []<class R>(Is<R>) { return &reflections<R, false>; }, Measure::point)}}};
 }
 
-}  // namespace plumb::references::stability
+}  // namespace plumb::studies::stability

@@ -10,7 +10,7 @@
 #include "tracer/formulas/secondary.hpp"
 #include "tracer/methods/transform.hpp"
 
-namespace plumb::references::stability {
+namespace plumb::studies::stability {
 
 using Steps = std::vector<TransformStep>;
 
@@ -180,4 +180,4 @@ Trial reflections(double depth, Random& random) {
   return trial;
 }
 
-}  // namespace plumb::references::stability
+}  // namespace plumb::studies::stability

@@ -7,7 +7,7 @@
 
 #include "references/studies/stability/catalogue.hpp"
 
-namespace plumb::references::stability {
+namespace plumb::studies::stability {
 
 template <class Real>
 using Is = std::type_identity<Real>;
@@ -45,4 +45,4 @@ std::vector<ConditionEntry> conditions_of_transforms();
 /// Refraction, and long paths.
 std::vector<ConditionEntry> conditions_of_secondary_rays();
 
-}  // namespace plumb::references::stability
+}  // namespace plumb::studies::stability

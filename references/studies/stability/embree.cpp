@@ -5,7 +5,7 @@
 #include "references/studies/stability/trial.hpp"
 #include "tracer/system/module.hpp"
 
-namespace plumb::references::stability {
+namespace plumb::studies::stability {
 namespace {
 
 /// The module's functions, see embree_module.cpp.
@@ -66,4 +66,4 @@ std::optional<float> embree_placed_sphere(const Ray<float>& ray, const Mat4<floa
   return met(embree().placed_sphere(&ray.origin.x, &ray.direction.x, &world_from_object[0][0]));
 }
 
-}  // namespace plumb::references::stability
+}  // namespace plumb::studies::stability

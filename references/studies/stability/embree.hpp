@@ -7,7 +7,7 @@
 #include "tracer/formulas/box.hpp"
 #include "tracer/formulas/transform.hpp"
 
-namespace plumb::references::stability {
+namespace plumb::studies::stability {
 
 /// Returns e.g. "Embree 3.13.5"; empty when it is not on this machine.
 const std::string& embree_version();
@@ -20,4 +20,4 @@ std::optional<FaceHit<float>> embree_box(const Ray<float>& ray, const Corners<fl
 /// A unit sphere as an instance.
 std::optional<float> embree_placed_sphere(const Ray<float>& ray, const Mat4<float>& world_from_object);
 
-}  // namespace plumb::references::stability
+}  // namespace plumb::studies::stability

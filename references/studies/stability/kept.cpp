@@ -8,7 +8,7 @@
 #include "references/system/json.hpp"
 #include "tracer/system/files.hpp"
 
-namespace plumb::references::stability {
+namespace plumb::studies::stability {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -32,7 +32,7 @@ bool Kept::find(const std::string& condition, const std::string& renderer, Row& 
   std::error_code error;
   if (directory_.empty() || !std::filesystem::is_regular_file(file, error)) return false;
   try {
-    const Json json = parse_ordered_json(read_file(file));
+    const Json json = system::parse_ordered_json(read_file(file));
     const Json& b = json.at("breaks");
     const Breaks breaks{number(b.at("missed")), number(b.at("ulp16")), number(b.at("e6")),
                         number(b.at("percent")), number(b.at("self_shadow"))};
@@ -50,15 +50,15 @@ void Kept::keep(const std::string& condition, const std::string& renderer, const
   std::error_code error;
   std::filesystem::create_directories(directory_, error);
   if (error) return;
-  write_file(path(condition, renderer, row), json_text(json_of(row)));
+  write_file(path(condition, renderer, row), system::json_text(json_of(row)));
 }
 
 std::string Kept::path(const std::string& condition, const std::string& renderer, const Row& row) const {
   constexpr const char* settings = "rows 13";  // another number when a method or a sweep changes
   return directory_ + "/stability-" +
-         sha256(std::string(PLUMB_VERSION) + " " + settings + " " + condition + " " + row.method + " " +
-                row.real + " " + renderer + (quick_ ? " quick" : " full")) +
+         system::sha256(std::string(PLUMB_VERSION) + " " + settings + " " + condition + " " + row.method +
+                        " " + row.real + " " + renderer + (quick_ ? " quick" : " full")) +
          ".json";
 }
 
-}  // namespace plumb::references::stability
+}  // namespace plumb::studies::stability

@@ -5,7 +5,7 @@
 
 #include "references/studies/stability/atlas.hpp"
 
-namespace plumb::references::stability {
+namespace plumb::studies::stability {
 
 /// Each row is a file in a directory; all that determines the row is in the file's name.
 class Kept {
@@ -24,4 +24,4 @@ class Kept {
   bool quick_;
 };
 
-}  // namespace plumb::references::stability
+}  // namespace plumb::studies::stability

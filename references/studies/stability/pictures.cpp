@@ -11,7 +11,7 @@
 #include "tracer/textbook/rows.hpp"
 #include "tracer/textbook/tracer.hpp"
 
-namespace plumb::references::stability {
+namespace plumb::studies::stability {
 namespace {
 
 RealType real_of(const std::string& name) {
@@ -49,9 +49,10 @@ std::optional<Image> seen_by(const Row& row, const World& world) {
     return picture_of(*povray, world, job.width);
   }
   if (row.method.starts_with("embree")) return by_embree(world, row.method == "embree-secondary");
-  const MethodSet* const set = find_method_set(row.method == "start-id" ? "lecture" : row.method);
+  const methods::MethodSet* const set =
+      methods::find_method_set(row.method == "start-id" ? "lecture" : row.method);
   if (set == nullptr) return std::nullopt;
-  return render_with_methods(*set, world.scene, world.camera, job);
+  return methods::render_with_methods(*set, world.scene, world.camera, job);
 }
 
 /// Embree's own instances are not in its picture.
@@ -83,10 +84,10 @@ std::optional<FailurePicture> failure_picture(const Condition& condition, const 
     const std::optional<Image> seen = seen_by(row, *world);
     if (!seen) return std::nullopt;
     const Image truth = textbook::render(world->scene, world->camera, job_of(*world, RealType::quad));
-    return FailurePicture{thumbnail(*seen), error_thumbnail(truth, *seen), {}};
+    return FailurePicture{report::thumbnail(*seen), report::error_thumbnail(truth, *seen), {}};
   } catch (const std::runtime_error& error) {  // the failure of some is that they make none
     return FailurePicture{{}, {}, error.what()};
   }
 }
 
-}  // namespace plumb::references::stability
+}  // namespace plumb::studies::stability

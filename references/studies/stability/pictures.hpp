@@ -6,7 +6,7 @@
 
 #include "references/studies/stability/atlas.hpp"
 
-namespace plumb::references::stability {
+namespace plumb::studies::stability {
 
 /// Returns the first value at which a row loses hits, meets itself or is 1 % off; if it never is, that of its
 /// finest break. A picture is taken at 1.5 times that. Expects a row that breaks.
@@ -23,4 +23,4 @@ struct FailurePicture {
 /// conditions of single rays, and what a renderer does not do.
 std::optional<FailurePicture> failure_picture(const Condition& condition, const Row& row);
 
-}  // namespace plumb::references::stability
+}  // namespace plumb::studies::stability

@@ -13,24 +13,24 @@
 #include "references/renderers/povray.hpp"
 #include "references/truth/oracle.hpp"
 
-namespace plumb::references::stability {
+namespace plumb::studies::stability {
 namespace {
 
 constexpr double tolerance = 1e-6;  // because agreement of pictures is that of compare()
 
 /// Not too many at once, and Unavailable where there is none.
-class SweptPovray : public PovrayRenderer {
+class SweptPovray : public renderers::PovrayRenderer {
  public:
   explicit SweptPovray(bool rescaled, std::vector<std::string> more_arguments = {})
-      : PovrayRenderer({Holds::float32, std::move(more_arguments), 600, !rescaled}) {}
+      : renderers::PovrayRenderer({renderers::Holds::float32, std::move(more_arguments), 600, !rescaled}) {}
 
-  Rendered render(const Shot& shot) const override {
+  renderers::Rendered render(const Shot& shot) const override {
     if (povray_version().empty()) throw Unavailable("POV-Ray is not on PATH: apt-get install povray");
     static std::counting_semaphore<> free(16);  // of 40 MiB each, most of the time asleep
     free.acquire();
     const auto release = [](std::counting_semaphore<>* held) { held->release(); };
     const std::unique_ptr<std::counting_semaphore<>, decltype(release)> held(&free, release);
-    return PovrayRenderer::render(shot);
+    return renderers::PovrayRenderer::render(shot);
   }
 };
 
@@ -40,7 +40,7 @@ double relative_error(double value, double truth) {
 }
 
 /// Returns the error to the nearest of the answers: that of the worst component.
-double error_of(const float* value, const Answers& answers) {
+double error_of(const float* value, const truth::Answers& answers) {
   double worst = 0;
   for (std::size_t c = 0; c < 3; ++c) {
     const double nearest =
@@ -53,7 +53,7 @@ double error_of(const float* value, const Answers& answers) {
 bool shows(const float* value, const Rgbd& colour) {
   const std::array<float, 3> wanted{static_cast<float>(colour.x), static_cast<float>(colour.y),
                                     static_cast<float>(colour.z)};
-  return is_within(wanted.data(), value, tolerance);
+  return comparison::is_within(wanted.data(), value, tolerance);
 }
 
 void count(Outcome& outcome, const Scene& scene, const float* value, double error) {
@@ -70,7 +70,7 @@ RendererOfWorlds by_textbook(RealType real) {
   RenderJob how;
   how.threads = 1;
   how.real = real;
-  return std::make_shared<OurRenderer>(OwnTracer::textbook, how);
+  return std::make_shared<renderers::OurRenderer>(renderers::OwnTracer::textbook, how);
 }
 
 RendererOfWorlds by_povray(bool rescaled) { return std::make_shared<SweptPovray>(rescaled); }
@@ -81,10 +81,10 @@ RendererOfWorlds by_povray_in_other_blocks() {
 
 const std::string& povray_version() {
   static const std::string version = [] {
-    const PovrayRenderer povray;
+    const renderers::PovrayRenderer povray;
     try {
       povray.program();
-    } catch (const PovrayError&) {
+    } catch (const renderers::PovrayError&) {
       return std::string();
     }
     return povray.facts().title + " " + povray.version();
@@ -92,7 +92,7 @@ const std::string& povray_version() {
   return version;
 }
 
-Image picture_of(const Renderer& renderer, const World& world, int side) {
+Image picture_of(const renderers::Renderer& renderer, const World& world, int side) {
   return renderer.render({world.scene, world.camera, side, side}).image;
 }
 
@@ -101,7 +101,7 @@ Probe against_oracle(const std::string& condition, RendererOfWorlds renderer) {
     const World world = world_of(condition, value).value();
     const Image image = picture_of(*renderer, world, side);
     textbook::Work work(std::numeric_limits<double>::infinity());
-    const Oracle oracle({world.scene, world.camera, side, side}, work);
+    const truth::Oracle oracle({world.scene, world.camera, side, side}, work);
     Outcome outcome;
     int pixels = 0;
     for (int y = 0; y < side; ++y) {
@@ -109,7 +109,7 @@ Probe against_oracle(const std::string& condition, RendererOfWorlds renderer) {
         const float* const seen = image.pixel(x, y);
         const auto truth = oracle.colour(x, y);
         if (!truth) continue;
-        const Colour exact = to_colour(*truth);
+        const attribution::Colour exact = truth::to_colour(*truth);
         double error = error_of(seen, {exact, exact});
         if (error > tolerance) {
           const auto answers = oracle.answers(x, y);
@@ -135,7 +135,7 @@ Probe against_each_other(const std::string& condition, RendererOfWorlds renderer
     for (int y = 0; y < side; ++y) {
       for (int x = 0; x < side; ++x) {
         const float* const p = second.pixel(x, y);
-        const Colour wanted{p[0], p[1], p[2]};
+        const attribution::Colour wanted{p[0], p[1], p[2]};
         const double error = error_of(image.pixel(x, y), {wanted, wanted});
         outcome.relative = std::max(outcome.relative, error);
         outcome.wrong += error > tolerance ? 1 : 0;
@@ -146,4 +146,4 @@ Probe against_each_other(const std::string& condition, RendererOfWorlds renderer
   };
 }
 
-}  // namespace plumb::references::stability
+}  // namespace plumb::studies::stability

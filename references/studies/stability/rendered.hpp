@@ -9,9 +9,9 @@
 #include "references/studies/stability/worlds.hpp"
 #include "tracer/scene/render_job.hpp"
 
-namespace plumb::references::stability {
+namespace plumb::studies::stability {
 
-using RendererOfWorlds = std::shared_ptr<const Renderer>;
+using RendererOfWorlds = std::shared_ptr<const renderers::Renderer>;
 
 /// The lecture's formulas in that real type.
 RendererOfWorlds by_textbook(RealType real);
@@ -26,7 +26,7 @@ RendererOfWorlds by_povray_in_other_blocks();
 const std::string& povray_version();
 
 /// A square picture of so many pixels a side. Throws what the renderer throws.
-Image picture_of(const Renderer& renderer, const World& world, int side);
+Image picture_of(const renderers::Renderer& renderer, const World& world, int side);
 
 /// A pixel is wrong when it is over 1e-6 of every colour that the scene's numbers leave open (see Oracle); it
 /// is missed when it shows the background instead, and shadows itself when it is lit by the ambient light
@@ -36,4 +36,4 @@ Probe against_oracle(const std::string& condition, RendererOfWorlds renderer);
 /// The same of two pictures that should be one: a pixel is wrong when they differ by more than 1e-6.
 Probe against_each_other(const std::string& condition, RendererOfWorlds renderer, RendererOfWorlds other);
 
-}  // namespace plumb::references::stability
+}  // namespace plumb::studies::stability

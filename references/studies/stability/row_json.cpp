@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace plumb::references::stability {
+namespace plumb::studies::stability {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -36,4 +36,4 @@ Json json_of(const Row& row) {
           {"wrong", json_of(row.wrong)}};
 }
 
-}  // namespace plumb::references::stability
+}  // namespace plumb::studies::stability

@@ -5,10 +5,10 @@
 
 #include "references/studies/stability/atlas.hpp"
 
-namespace plumb::references::stability {
+namespace plumb::studies::stability {
 
 /// {method, real, source, status, measures, breaks, cause, remedy, curve, wrong}: status is "measured" or
 /// "renderer unavailable".
 nlohmann::ordered_json json_of(const Row& row);
 
-}  // namespace plumb::references::stability
+}  // namespace plumb::studies::stability

@@ -4,7 +4,7 @@
 #include "tracer/methods/sphere.hpp"
 #include "tracer/methods/start.hpp"
 
-namespace plumb::references::stability {
+namespace plumb::studies::stability {
 namespace {
 
 constexpr const char* cancels = "b^2 - 4ac cancels: squares of the distance hide the radius";
@@ -85,4 +85,4 @@ std::vector<ConditionEntry> conditions_of_spheres() {
           sphere_condition("grazing", "1 / angle to the surface", 1e9, &grazed_sphere)};
 }
 
-}  // namespace plumb::references::stability
+}  // namespace plumb::studies::stability

@@ -6,7 +6,7 @@
 #include "references/studies/stability/trial.hpp"
 #include "tracer/formulas/sphere.hpp"
 
-namespace plumb::references::stability {
+namespace plumb::studies::stability {
 
 template <class Real>
 struct SphereCase {
@@ -114,4 +114,4 @@ Experiment start_trial(const Start<Real>& way, SphereAt setting,
   };
 }
 
-}  // namespace plumb::references::stability
+}  // namespace plumb::studies::stability

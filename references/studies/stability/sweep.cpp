@@ -11,7 +11,7 @@
 #include "references/studies/stability/kept.hpp"
 #include "tracer/system/in_parallel.hpp"
 
-namespace plumb::references::stability {
+namespace plumb::studies::stability {
 namespace {
 
 /// One row: the curve, then bisection where it breaks.
@@ -179,4 +179,4 @@ std::vector<Condition> stability(const Sweep& sweep) {
   return found;
 }
 
-}  // namespace plumb::references::stability
+}  // namespace plumb::studies::stability

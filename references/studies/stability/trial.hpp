@@ -12,7 +12,7 @@
 #include "tracer/formulas/quad.hpp"
 #include "tracer/formulas/ray.hpp"
 
-namespace plumb::references::stability {
+namespace plumb::studies::stability {
 
 using Random = std::mt19937_64;
 
@@ -110,4 +110,4 @@ std::optional<Quad> true_box_hit(const Ray<Real>& ray, const Vec3<Real>& low, co
   return *enter > 0 ? enter : leave;
 }
 
-}  // namespace plumb::references::stability
+}  // namespace plumb::studies::stability

@@ -6,7 +6,7 @@
 
 #include "references/studies/stability/chains.hpp"
 
-namespace plumb::references::stability {
+namespace plumb::studies::stability {
 namespace {
 
 const Vec3d away = glm::normalize(Vec3d(0.3, 0.4, 0.866));  // of the eye
@@ -169,4 +169,4 @@ std::optional<World> close_up_of(const std::string& condition, double v) {
   return std::nullopt;
 }
 
-}  // namespace plumb::references::stability
+}  // namespace plumb::studies::stability

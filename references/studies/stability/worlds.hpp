@@ -6,7 +6,7 @@
 
 #include "tracer/scene/scene.hpp"
 
-namespace plumb::references::stability {
+namespace plumb::studies::stability {
 
 struct World {
   Scene scene;
@@ -21,4 +21,4 @@ std::optional<World> world_of(const std::string& condition, double value);
 /// picture shows it, or not at that value.
 std::optional<World> close_up_of(const std::string& condition, double value);
 
-}  // namespace plumb::references::stability
+}  // namespace plumb::studies::stability

@@ -25,7 +25,7 @@
 #include "references/system/process.hpp"
 #include "tracer/system/files.hpp"
 
-namespace plumb::references {
+namespace plumb::submissions {
 namespace {
 
 namespace fs = std::filesystem;
@@ -138,7 +138,7 @@ void copy_all(int directory, const std::string& given) {
 }  // namespace
 
 std::string found_bubblewrap() {
-  const std::string program = find_program("bwrap");
+  const std::string program = system::find_program("bwrap");
   if (!program.empty()) return program;
   throw std::runtime_error(
       "bwrap was not found: other people's programs are never run unconfined; apt-get install bubblewrap");
@@ -251,4 +251,4 @@ ConfinedProcess::Disk ConfinedProcess::disk() const {
   return {bytes_in(files) + bytes_in(shared), least_free, files_in(files) + files_in(shared)};
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::submissions

@@ -11,7 +11,7 @@
 #include "references/submissions/sandbox/sandbox.hpp"
 #include "tracer/system/descriptor.hpp"
 
-namespace plumb::references {
+namespace plumb::submissions {
 
 /// Returns the path of bubblewrap. Throws std::runtime_error, saying what to install, when there is none.
 std::string found_bubblewrap();
@@ -64,4 +64,4 @@ class ConfinedProcess {
   std::string status_text_;
 };
 
-}  // namespace plumb::references
+}  // namespace plumb::submissions

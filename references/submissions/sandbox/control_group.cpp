@@ -14,7 +14,7 @@
 #include <sstream>
 #include <thread>
 
-namespace plumb::references {
+namespace plumb::submissions {
 namespace {
 
 namespace fs = std::filesystem;
@@ -157,4 +157,4 @@ bool ControlGroup::ran_out_of_memory() const { return value("memory.events", "oo
 
 bool ControlGroup::ran_out_of_tasks() const { return value("pids.events", "max").value_or(0) > 0; }
 
-}  // namespace plumb::references
+}  // namespace plumb::submissions

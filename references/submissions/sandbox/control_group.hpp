@@ -9,7 +9,7 @@
 #include "references/submissions/sandbox/sandbox.hpp"
 #include "tracer/system/descriptor.hpp"
 
-namespace plumb::references {
+namespace plumb::submissions {
 
 /// Returns the most threads and processes at once. A program may have a thread for each core, and more.
 std::size_t most_tasks(const SandboxLimits& limits);
@@ -46,4 +46,4 @@ class ControlGroup {
   Descriptor entrance_;
 };
 
-}  // namespace plumb::references
+}  // namespace plumb::submissions

@@ -16,7 +16,7 @@
 #include <sstream>
 #include <string>
 
-namespace plumb::references {
+namespace plumb::submissions {
 namespace {
 
 struct ProcessState {
@@ -175,4 +175,4 @@ double TreeClock::after(const TreeUsage& usage) {
   return std::max(all, usage.cpu_seconds);
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::submissions

@@ -7,7 +7,7 @@
 #include <map>
 #include <vector>
 
-namespace plumb::references {
+namespace plumb::submissions {
 
 /// One process of a tree.
 struct TreeMember {
@@ -48,4 +48,4 @@ class TreeClock {
   std::map<std::pair<pid_t, double>, double> seen_;
 };
 
-}  // namespace plumb::references
+}  // namespace plumb::submissions

@@ -14,7 +14,7 @@
 #include "references/submissions/sandbox/control_group.hpp"
 #include "references/submissions/sandbox/process_tree.hpp"
 
-namespace plumb::references {
+namespace plumb::submissions {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -207,4 +207,4 @@ std::string limits_not_enforced() {
   return text;
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::submissions

@@ -9,7 +9,7 @@
 
 #include "tracer/system/descriptor.hpp"
 
-namespace plumb::references {
+namespace plumb::submissions {
 
 struct SandboxLimits {
   double wall_seconds = 10;
@@ -60,4 +60,4 @@ std::string limits_not_enforced();
 SandboxRun run_confined(const std::vector<std::string>& command, const SandboxView& view,
                         const SandboxLimits& limits);
 
-}  // namespace plumb::references
+}  // namespace plumb::submissions

@@ -10,7 +10,7 @@
 #include "references/submissions/sandbox/control_group.hpp"
 #include "references/submissions/sandbox/shown_places.hpp"
 
-namespace plumb::references {
+namespace plumb::submissions {
 namespace {
 
 namespace fs = std::filesystem;
@@ -98,4 +98,4 @@ std::vector<std::string> sandbox_arguments(const std::string& bwrap, const std::
   return all;
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::submissions

@@ -6,7 +6,7 @@
 
 #include "references/submissions/sandbox/sandbox.hpp"
 
-namespace plumb::references {
+namespace plumb::submissions {
 
 /// Descriptors that bubblewrap inherits: it reports on the first, waits for the second, reads the filter from
 /// the third.
@@ -24,4 +24,4 @@ std::vector<std::string> sandbox_arguments(const std::string& bwrap, const std::
                                            const SandboxView& view, const SandboxLimits& limits,
                                            unsigned user);
 
-}  // namespace plumb::references
+}  // namespace plumb::submissions

@@ -12,7 +12,7 @@
 #include "references/renderers/cache.hpp"
 #include "tracer/system/installation.hpp"
 
-namespace plumb::references {
+namespace plumb::submissions {
 namespace {
 
 namespace fs = std::filesystem;
@@ -47,7 +47,7 @@ bool is_closed(const fs::path& path) {
 std::vector<fs::path> places_of_plumb() {
   const std::vector<std::string> own = own_places();
   std::vector<fs::path> places(own.begin(), own.end());
-  places.emplace_back(Cache().directory());
+  places.emplace_back(renderers::Cache().directory());
   if (const char* const references = std::getenv("PLUMB_REFERENCES")) places.emplace_back(references);
   std::error_code none;
   const fs::path program = fs::read_symlink("/proc/self/exe", none);
@@ -185,4 +185,4 @@ std::vector<Place> places_of(const SandboxView& view) {
   return plan.in_order();
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::submissions

@@ -7,7 +7,7 @@
 
 #include "references/submissions/sandbox/sandbox.hpp"
 
-namespace plumb::references {
+namespace plumb::submissions {
 
 /// True if the path is the directory or lies in it. Both are absolute, without links.
 bool lies_in(const std::filesystem::path& path, const std::filesystem::path& directory);
@@ -31,4 +31,4 @@ struct Place {
 /// exist are left out, too. Throws std::runtime_error when a readable path is the sandbox's own directory.
 std::vector<Place> places_of(const SandboxView& view);
 
-}  // namespace plumb::references
+}  // namespace plumb::submissions

@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace plumb::references {
+namespace plumb::submissions {
 namespace {
 
 #if defined(__x86_64__)
@@ -149,4 +149,4 @@ std::vector<sock_filter> system_call_filter(bool memory_is_counted) {
   return filter.all();
 }
 
-}  // namespace plumb::references
+}  // namespace plumb::submissions

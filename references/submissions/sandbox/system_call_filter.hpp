@@ -5,11 +5,11 @@
 
 #include <vector>
 
-namespace plumb::references {
+namespace plumb::submissions {
 
 /// Refused calls fail with EPERM: mounts, namespaces, tracing, keys, modules, clocks, io_uring and the like.
 /// Calls for which libraries have a substitute fail with ENOSYS: clone3, and, unless `memory_is_counted`,
 /// memory that no process need map (memfd, System V).
 std::vector<sock_filter> system_call_filter(bool memory_is_counted);
 
-}  // namespace plumb::references
+}  // namespace plumb::submissions

@@ -15,10 +15,10 @@
 namespace plumb {
 namespace {
 
-using references::Diagnosis;
-using references::Fault;
-using references::FaultSet;
-using references::FoundFault;
+using diagnosis::Diagnosis;
+using diagnosis::FaultSet;
+using diagnosis::FoundFault;
+using faults::Fault;
 
 struct Options {
   unsigned seed = 1000;
@@ -84,7 +84,7 @@ class Experiment {
     RenderJob job = job_;
     job.real = RealType::float32;
     const Diagnosis found = diagnosed(as_written(engine::render(random_.scene, camera_, job)), tally);
-    tally.verdicts += found.verdict == references::PictureVerdict::right ? 1 : 0;
+    tally.verdicts += found.verdict == diagnosis::PictureVerdict::right ? 1 : 0;
   }
 
   /// The same by a tracer that shows a colour of its own where nothing is hit.
@@ -104,7 +104,7 @@ class Experiment {
     asked_ = random_.scene;
     random_.scene.background = other_background();
     const Diagnosis found = diagnosed(as_written(engine::render(random_.scene, camera_, job_)), tally);
-    const bool is_told = found.verdict == references::PictureVerdict::right_apart && !found.habits.empty() &&
+    const bool is_told = found.verdict == diagnosis::PictureVerdict::right_apart && !found.habits.empty() &&
                          found.faults.empty() && found.explains_all();
     tally.verdicts += is_told ? 1 : 0;
     tell_if(!is_told, "right with a background of its own", found);
@@ -146,7 +146,7 @@ class Experiment {
     job.options = other.options;
     const Image image = engine::render(other.scene, other.scene.cameras.front(), job);
     const Diagnosis found = diagnosed(as_written(image), tally);
-    const bool abstains = found.verdict == references::PictureVerdict::unexplained;
+    const bool abstains = found.verdict == diagnosis::PictureVerdict::unexplained;
     tally.verdicts += abstains ? 1 : 0;
     if (!options_.is_told) return;
     std::fprintf(stderr, "another scene, seed %u: %s, %zu pixels unexplained:", seed,
@@ -159,7 +159,7 @@ class Experiment {
   FaultSet draw(std::size_t count) {
     FaultSet set;
     while (set.size() < count) {
-      const std::size_t fault = choose_() % references::fault_catalogue().size();
+      const std::size_t fault = choose_() % faults::fault_catalogue().size();
       if (std::find(set.begin(), set.end(), fault) == set.end()) set.push_back(fault);
     }
     std::sort(set.begin(), set.end());
@@ -168,7 +168,7 @@ class Experiment {
 
   std::optional<ImageFile> picture_with(const FaultSet& set) const {
     try {
-      return as_written(render_with(random_.scene, camera_, job_, references::faults_of(set)));
+      return as_written(render_with(random_.scene, camera_, job_, diagnosis::faults_of(set)));
     } catch (const std::runtime_error&) {
       return std::nullopt;  // a scene that the fault makes untraceable
     }
@@ -198,7 +198,7 @@ class Experiment {
 
   Diagnosis diagnosed(const ImageFile& picture, Tally& tally) const {
     const std::clock_t before = std::clock();
-    const Diagnosis found = references::diagnose(asked_ ? *asked_ : random_.scene, camera_, job_, picture);
+    const Diagnosis found = diagnosis::diagnose(asked_ ? *asked_ : random_.scene, camera_, job_, picture);
     const double seconds = static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC;
     ++tally.pictures;
     tally.seconds += seconds;
@@ -213,7 +213,7 @@ class Experiment {
   }
 
   void judge(const FaultSet& set, const Diagnosis& found, Tally& tally) const {
-    const std::vector<const Fault*> there = references::faults_of(set);
+    const std::vector<const Fault*> there = diagnosis::faults_of(set);
     const auto is_there = [&](const FoundFault& f) {
       return std::any_of(there.begin(), there.end(), [&](const Fault* fault) { return is_it(f, fault); });
     };

@@ -10,12 +10,12 @@
 namespace plumb::gate_power {
 namespace {
 
-using references::Fault;
-using references::fault_catalogue;
+using faults::Fault;
+using faults::fault_catalogue;
 
 Experiment catalogue_fault(std::size_t subject, const Fault& fault) {
   return {subject, std::string(fault.id), true, Made::in_double,
-          [&fault](const Subject& s) { return references::render_with(s.scene, s.camera, s.job, {&fault}); }};
+          [&fault](const Subject& s) { return faults::render_with(s.scene, s.camera, s.job, {&fault}); }};
 }
 
 /// Off by 0.1 to 5 %, evenly on a logarithmic scale, up or down.

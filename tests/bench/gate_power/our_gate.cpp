@@ -11,8 +11,8 @@
 namespace plumb::gate_power {
 namespace {
 
-using references::Budget;
-using references::Cause;
+using attribution::Budget;
+using attribution::Cause;
 
 constexpr double tolerance =
     1e-6;  // what POV-Ray's float32 pixels allow; see RESULTS.md, "How agreement is judged"
@@ -39,20 +39,20 @@ Image with_pixels_of(const Image& right, const Image& given, const std::vector<P
   return mixed;
 }
 
-Budget budget_of(const Subject& s, const Image& given, references::Holds holds) {
-  return references::attribute({{s.scene, s.camera, s.job.width, s.job.height, s.job.options},
-                                given,
-                                s.right,
-                                tolerance,
-                                references::povray_resolution(),
-                                holds});
+Budget budget_of(const Subject& s, const Image& given, renderers::Holds holds) {
+  return attribution::attribute({{s.scene, s.camera, s.job.width, s.job.height, s.job.options},
+                                 given,
+                                 s.right,
+                                 tolerance,
+                                 renderers::povray_resolution(),
+                                 holds});
 }
 
 /// Whether a condition holds for all pixels over the tolerance. Proving a pixel takes thousands of rays, and
 /// one unexplained pixel decides: the plainest ones are tried first, a few at a time.
 template <class Condition>
 bool holds_for_all_over(const Subject& s, const Image& given, const Condition& holds) {
-  const std::vector<PixelPlace> over = references::pixels_over(given, s.right, tolerance);
+  const std::vector<PixelPlace> over = comparison::pixels_over(given, s.right, tolerance);
   std::vector<std::pair<double, std::size_t>> order;
   for (std::size_t i = 0; i < over.size(); ++i) order.emplace_back(contrast(s.right, over[i]), i);
   std::sort(order.begin(), order.end());
@@ -65,13 +65,13 @@ bool holds_for_all_over(const Subject& s, const Image& given, const Condition& h
   return true;
 }
 
-OurVerdict verdict_with(const Subject& s, const Image& given, references::Holds holds) {
+OurVerdict verdict_with(const Subject& s, const Image& given, renderers::Holds holds) {
   const auto is_explained = [&](const Image& some) {
     return budget_of(s, some, holds).count(Cause::unexplained) == 0;
   };
   if (!holds_for_all_over(s, given, is_explained)) return OurVerdict::unexplained;
   const Budget whole = budget_of(s, given, holds);
-  const bool is_bounded = !references::broken_bound(whole, given.width, given.height);
+  const bool is_bounded = !attribution::broken_bound(whole, given.width, given.height);
   return is_bounded ? OurVerdict::passes : OurVerdict::out_of_bounds;
 }
 
@@ -96,13 +96,13 @@ OurVerdict our_verdict(const Subject& subject, const Image& given, Made made) {
     case Made::sampled_nearby:
       return verdict_within(subject, given, nearby_resolution);
     case Made::bits8_rounded:
-      return verdict_with(subject, given, references::Holds::bits8);
+      return verdict_with(subject, given, renderers::Holds::bits8);
     case Made::bits8_truncated:
-      return verdict_with(subject, centred(given), references::Holds::bits8);
+      return verdict_with(subject, centred(given), renderers::Holds::bits8);
     case Made::in_double:
       break;
   }
-  return verdict_with(subject, given, references::Holds::float32);
+  return verdict_with(subject, given, renderers::Holds::float32);
 }
 
 }  // namespace plumb::gate_power

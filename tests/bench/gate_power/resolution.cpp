@@ -85,7 +85,7 @@ struct Range {
 
 std::vector<Range> ranges_of_differing(const Subject& s, const Image& given) {
   std::vector<Range> ranges;
-  for (const PixelPlace p : references::pixels_over(s.right, given, 0)) {
+  for (const PixelPlace p : comparison::pixels_over(s.right, given, 0)) {
     const float* right = s.right.pixel(p.x, p.y);
     const std::array<double, 3> colour{right[0], right[1], right[2]};
     ranges.push_back({p, colour, colour});

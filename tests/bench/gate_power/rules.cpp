@@ -76,8 +76,8 @@ double mean_flip(const Pair& p) {
   };
   const std::vector<float> right = floats(p.right_bytes);
   const std::vector<float> given = floats(p.given_bytes);
-  return references::flip({p.right.width, p.right.height, 3, right.data()},
-                          {p.right.width, p.right.height, 3, given.data()}, references::ColourSpace::srgb)
+  return comparison::flip({p.right.width, p.right.height, 3, right.data()},
+                          {p.right.width, p.right.height, 3, given.data()}, comparison::ColourSpace::srgb)
       .mean;
 }
 
