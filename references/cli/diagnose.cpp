@@ -7,15 +7,13 @@
 #include <optional>
 
 #include "references/cli/commands.hpp"
+#include "references/cli/handed_in_picture.hpp"
 #include "references/cli/options.hpp"
-#include "references/diagnosis/handed_in.hpp"
 #include "references/report/diagnosis_json.hpp"
 #include "references/report/diagnosis_page.hpp"
 #include "references/report/results_json.hpp"
-#include "references/submissions/shown_text.hpp"
 #include "references/teaching/tell_apart.hpp"
 #include "tracer/format/reader.hpp"
-#include "tracer/image/io.hpp"
 #include "tracer/system/installation.hpp"
 
 namespace plumb::cli {
@@ -193,35 +191,11 @@ void check_order(const Options& options) {
                               options.scene);
 }
 
-std::string size_text(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
-
-/// A picture of the same shape shows the same view, and is taken in its own size; throws for any other.
-void check_size(const Options& options, const PixelRows& seen, const Shot& asked) {
-  if (seen.width == asked.width && seen.height == asked.height) return;
-  const std::string found = size_text(seen.width, seen.height), wanted = size_text(asked.width, asked.height);
-  const bool is_scenes = !options.picture.size;
-  if (is_scenes && std::int64_t{seen.width} * asked.height == std::int64_t{seen.height} * asked.width)
-    return warn(options.image + ": " + found + " pixels show the view of the " + wanted + " that " +
-                options.scene + " asks for");
-  throw std::invalid_argument(options.image + ": found " + found + " pixels, expected " + wanted +
-                              (is_scenes ? " as " + options.scene + " asks for" : ", the --size") +
-                              "; render it in " + wanted + ", or pass --size " + found +
-                              " if the tracer was asked for that");
-}
-
 int run_diagnose(const Options& options) {
   check_order(options);
   const Scene scene = load_scene(options.scene, options.picture.dialect, warn);
   Shot shot = shot_of(scene, options.picture);
-  const PixelRows rows = open_image(options.image);
-  if (const auto complaint = diagnosis::complaint_about_contents(rows))
-    throw std::invalid_argument(options.image + ": " + submissions::printable(*complaint));
-  check_size(options, rows, shot);
-  const std::string not_looked_at = submissions::printable(diagnosis::not_looked_at(rows));
-  if (!not_looked_at.empty()) warn(options.image + ": not looked at: " + not_looked_at);
-  const ImageFile seen = image_of(rows);
-  shot.width = seen.width;
-  shot.height = seen.height;
+  const auto [seen, not_looked_at] = handed_in_picture(options.image, options.scene, options.picture, shot);
   const diagnosis::Diagnosis diagnosis =
       diagnosis::diagnose(scene, shot.camera, job_of(shot), seen, options.tolerance);
   const auto tell_apart = options.hint == 3 ? scenes_that_tell_apart(diagnosis) : std::vector<TellApart>{};

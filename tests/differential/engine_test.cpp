@@ -10,6 +10,7 @@
 #include "references/renderers/ours.hpp"
 #include "tests/support/random_scene.hpp"
 #include "tests/support/run.hpp"
+#include "tests/support/seeds.hpp"
 #include "tracer/engine/render.hpp"
 #include "tracer/engine/samples.hpp"
 #include "tracer/format/reader.hpp"
@@ -43,19 +44,15 @@ std::size_t unexplained(const Scene& scene, const Camera& camera, const RenderJo
       .count(attribution::Cause::unexplained);
 }
 
-int seeds(int usual) {
-  const char* count = std::getenv("PLUMB_RANDOM_SCENES");
-  return count == nullptr ? usual : std::max(usual, std::atoi(count));
-}
-
 /// Everything that the engine can choose, chosen otherwise than it would for these small scenes.
 std::vector<Settings> all_settings() {
   return {{}, {widest_vectors(), 65536, 0}, {widest_vectors(), 0, 64}, {widest_vectors(), 0, 0}};
 }
 
 TEST(Engine, RandomScenesAgreeWithTheTextbookTracer) {
-  for (int seed = 1; seed <= seeds(150); ++seed) {
-    const RandomScene random = random_scene(static_cast<unsigned>(seed));
+  const unsigned seeds = number_from("PLUMB_RANDOM_SCENES", 150);
+  for (unsigned seed = 1; seed <= seeds; ++seed) {
+    const RandomScene random = random_scene(seed);
     const Camera& camera = random.scene.cameras.front();
     const RenderJob job = small(random.options);
     for (const Settings& settings : all_settings()) {
@@ -68,8 +65,9 @@ TEST(Engine, RandomScenesAgreeWithTheTextbookTracer) {
 }
 
 TEST(Engine, GlassShadowsAgreeWithTheTextbookTracer) {
-  for (int seed = 1; seed <= 60; ++seed) {
-    const RandomScene random = random_scene(static_cast<unsigned>(seed));
+  const unsigned seeds = number_from("PLUMB_RANDOM_SCENES", 60);
+  for (unsigned seed = 1; seed <= seeds; ++seed) {
+    const RandomScene random = random_scene(seed);
     for (const GlassShadow shadow : {GlassShadow::full, GlassShadow::none, GlassShadow::filtered}) {
       RenderJob job = small(random.options);
       job.options.glass_shadow = shadow;

@@ -6,6 +6,7 @@
 #include "references/report/sentences.hpp"
 #include "references/truth/judgement.hpp"
 #include "tests/support/random_scene.hpp"
+#include "tests/support/seeds.hpp"
 #include "tracer/format/reader.hpp"
 #include "tracer/format/writer.hpp"
 

@@ -6,7 +6,7 @@
 
 #include "references/studies/stability/catalogue.hpp"
 
-namespace plumb::tests::stability {
+namespace plumb::tests {
 namespace {
 
 double wrong_at(const std::string& condition, const std::string& method, double value) {
@@ -63,4 +63,4 @@ TEST(KnownFailure, AtEaseNothingIsWrong) {
 }
 
 }  // namespace
-}  // namespace plumb::tests::stability
+}  // namespace plumb::tests

@@ -9,6 +9,7 @@
 #include "references/report/sentences.hpp"
 #include "tests/support/nasty_scene.hpp"
 #include "tests/support/run.hpp"
+#include "tests/support/seeds.hpp"
 #include "tracer/engine/render.hpp"
 #include "tracer/format/reader.hpp"
 #include "tracer/format/writer.hpp"

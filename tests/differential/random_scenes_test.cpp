@@ -12,6 +12,7 @@
 #include "references/report/sentences.hpp"
 #include "tests/support/random_scene.hpp"
 #include "tests/support/run.hpp"
+#include "tests/support/seeds.hpp"
 #include "tracer/format/reader.hpp"
 #include "tracer/format/writer.hpp"
 

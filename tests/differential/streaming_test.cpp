@@ -6,6 +6,7 @@
 #include "references/renderers/render_to_file.hpp"
 #include "tests/support/end_to_end.hpp"
 #include "tests/support/random_scene.hpp"
+#include "tests/support/seeds.hpp"
 #include "tracer/engine/render.hpp"
 #include "tracer/format/reader.hpp"
 #include "tracer/image/io.hpp"
@@ -46,8 +47,9 @@ struct Collected {
 };
 
 TEST(Streaming, TheEnginesPictureIsTheSameForAllTilesAndBands) {
-  for (int seed = 1; seed <= 25; ++seed) {
-    const RandomScene random = random_scene(static_cast<unsigned>(seed));
+  const unsigned seeds = number_from("PLUMB_RANDOM_SCENES", 25);
+  for (unsigned seed = 1; seed <= seeds; ++seed) {
+    const RandomScene random = random_scene(seed);
     const Camera& camera = random.scene.cameras.front();
     for (const RealType real : {RealType::float64, RealType::float32}) {
       RenderJob job = job_of(random);

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/support/end_to_end.hpp"
+#include "tracer/system/files.hpp"
 
 namespace plumb::tests {
 namespace {
@@ -33,6 +34,34 @@ TEST_F(Explain, TellsEveryTermOfAHitAndTheReferenceBesideTheSum) {
 TEST_F(Explain, APixelOfTheBackgroundMeetsNothing) {
   workplace_.file("ball.sdf", std::string(ball_scene));
   EXPECT_TRUE(contains(explain({"ball.sdf", "0", "0"}).out, "meets nothing: background (0.1 0.15 3)"));
+}
+
+TEST_F(Explain, ThePictureOfAnotherTracerStandsBesideTheRightOne) {
+  workplace_.file("ball.sdf", std::string(ball_scene));
+  ASSERT_EQ(run_plumb({"render", "ball.sdf", "-o", "mine.ppm"}, workplace_.directory()).exit_code, 0);
+  std::string text = read_file(workplace_.path("mine.ppm"));
+  const std::size_t first = text.find('\n', text.find("255")) + 1;
+  ASSERT_TRUE(text.substr(first).starts_with("23 33 191")) << text.substr(0, 60);
+  text.replace(first, 9, "24 33 191");
+  workplace_.file("mine.ppm", text);
+  const Outcome outcome = explain({"ball.sdf", "0", "0", "--image", "mine.ppm", "--json", "out.json"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_TRUE(contains(outcome.out, "yours      24 33 191")) << outcome.out;
+  EXPECT_TRUE(contains(outcome.out, "expected   23 33 191   tone-mapped, truncated to 8 bits"))
+      << outcome.out;
+  const Json image = Json::parse(read_file(workplace_.path("out.json")))["image"];
+  EXPECT_EQ(image["yours"], Json({24, 33, 191}));
+  EXPECT_EQ(image["expected"], Json({23, 33, 191}));
+}
+
+TEST_F(Explain, APictureOfAnotherSizeIsRefusedAndOneOfTheSameViewTaken) {
+  workplace_.file("ball.sdf", std::string(ball_scene));
+  run_plumb({"render", "ball.sdf", "-o", "wide.pfm", "--size", "64x10"}, workplace_.directory());
+  run_plumb({"render", "ball.sdf", "-o", "large.pfm", "--size", "64x48"}, workplace_.directory());
+  EXPECT_EQ(explain({"ball.sdf", "0", "0", "--image", "wide.pfm"}).exit_code, 2);
+  const Outcome large = explain({"ball.sdf", "60", "40", "--image", "large.pfm"});
+  EXPECT_EQ(large.exit_code, 0) << large.err;
+  EXPECT_TRUE(contains(large.out, "expected   0.1")) << large.out;
 }
 
 /// The colour is the sum of the terms that are told, for every ray of the tree.

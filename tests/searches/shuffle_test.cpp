@@ -14,13 +14,13 @@ JudgedScene read_as(const std::string& name, const std::string& text) {
   return {name, text, read_scene(text).scene};
 }
 
-JudgedScene scene_of(const std::string& name) {
+JudgedScene judged_scene_of(const std::string& name) {
   return read_as(name, read_file(source_path("tests/scenes/" + name + ".sdf")));
 }
 
 /// In a quarter of its pixels: every fault is rendered three times.
 JudgedScene small_scene_of(const std::string& name) {
-  std::string text = scene_of(name).text;
+  std::string text = judged_scene_of(name).text;
   const std::string size = " 160 120\n";
   text.replace(text.rfind(size), size.size(), " 80 60\n");
   return read_as(name, text);
@@ -98,7 +98,7 @@ TEST(VariedText, NumbersThatSceneIsAboutStay) {
 
 TEST(VariedText, NothingButNamesChangesByNothing) {
   for (const char* const name : {"combined-still-life", "composite-dag", "prototype-401"}) {
-    const JudgedScene given = scene_of(name);
+    const JudgedScene given = judged_scene_of(name);
     submissions::Variation variation = variation_of(0);
     variation.order = {0, 1, 2};
     Scene after = read_scene(submissions::varied_text(given.text, given.scene, variation)).scene;

@@ -14,7 +14,7 @@
 #include "tests/support/run.hpp"
 #include "tracer/format/reader.hpp"
 
-namespace plumb::tests::teaching {
+namespace plumb::tests {
 namespace {
 
 std::string shipped_text() { return read_file(tests::source_path("tests/scenes/TEACHING.md")); }
@@ -154,4 +154,4 @@ TEST(SmallestHittingSet, SaysWhenItIsNotProven) {
 }
 
 }  // namespace
-}  // namespace plumb::tests::teaching
+}  // namespace plumb::tests

@@ -131,9 +131,4 @@ class Generator {
 
 RandomScene random_scene(unsigned seed) { return Generator(seed).make(); }
 
-unsigned number_from(const char* variable, unsigned in_a_short_run) {
-  const char* const wanted = std::getenv(variable);
-  return wanted == nullptr ? in_a_short_run : static_cast<unsigned>(std::strtoul(wanted, nullptr, 10));
-}
-
 }  // namespace plumb::tests

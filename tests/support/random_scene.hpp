@@ -16,7 +16,4 @@ struct RandomScene {
 /// sometimes the eye in it.
 RandomScene random_scene(unsigned seed);
 
-/// What an environment variable sets, or what is tried in a short run; scripts/test --long asks for more.
-unsigned number_from(const char* variable, unsigned in_a_short_run);
-
 }  // namespace plumb::tests

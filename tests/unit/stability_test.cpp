@@ -13,7 +13,7 @@
 #include "tracer/methods/method_sets.hpp"
 #include "tracer/methods/sphere.hpp"
 
-namespace plumb::tests::stability {
+namespace plumb::tests {
 namespace {
 
 long rays() {
@@ -168,4 +168,4 @@ TEST(Methods, EverySetRendersAndTheFirstIsTheLecture) {
 }
 
 }  // namespace
-}  // namespace plumb::tests::stability
+}  // namespace plumb::tests

@@ -1,0 +1,45 @@
+#include "references/cli/handed_in_picture.hpp"
+
+#include <cstdint>
+#include <stdexcept>
+
+#include "references/cli/options.hpp"
+#include "references/diagnosis/handed_in.hpp"
+#include "references/submissions/shown_text.hpp"
+#include "tracer/image/io.hpp"
+
+namespace plumb::cli {
+namespace {
+
+std::string size_text(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
+
+void check_size(const std::string& image, const std::string& scene_file, const gates::PictureOptions& options,
+                const PixelRows& seen, const Shot& asked) {
+  if (seen.width == asked.width && seen.height == asked.height) return;
+  const std::string found = size_text(seen.width, seen.height), wanted = size_text(asked.width, asked.height);
+  const bool is_scenes = !options.size;
+  if (is_scenes && std::int64_t{seen.width} * asked.height == std::int64_t{seen.height} * asked.width)
+    return warn(image + ": " + found + " pixels show the view of the " + wanted + " that " + scene_file +
+                " asks for");
+  throw std::invalid_argument(image + ": found " + found + " pixels, expected " + wanted +
+                              (is_scenes ? " as " + scene_file + " asks for" : ", the --size") +
+                              "; render it in " + wanted + ", or pass --size " + found +
+                              " if the tracer was asked for that");
+}
+
+}  // namespace
+
+HandedInPicture handed_in_picture(const std::string& image, const std::string& scene_file,
+                                  const gates::PictureOptions& options, Shot& shot) {
+  const PixelRows rows = open_image(image);
+  if (const auto complaint = diagnosis::complaint_about_contents(rows))
+    throw std::invalid_argument(image + ": " + submissions::printable(*complaint));
+  check_size(image, scene_file, options, rows, shot);
+  HandedInPicture picture{image_of(rows), submissions::printable(diagnosis::not_looked_at(rows))};
+  if (!picture.not_looked_at.empty()) warn(image + ": not looked at: " + picture.not_looked_at);
+  shot.width = picture.seen.width;
+  shot.height = picture.seen.height;
+  return picture;
+}
+
+}  // namespace plumb::cli
