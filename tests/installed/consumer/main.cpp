@@ -21,7 +21,7 @@ int main(int argc, char** argv) {
       << plumb::exporters::export_povray({scene, scene.cameras.front(), job.width, job.height}).text;
   plumb::Image again(job.width, job.height);
   again.rgb = plumb::read_image(argv[2]).values;
-  const auto compared = comparison::compare(rendered, again, 1e-6);
+  const auto compared = plumb::comparison::compare(rendered, again, 1e-6);
   std::cout << compared.pixels_over << " pixels differ\n";
   return compared.agrees() ? 0 : 1;
 }
