@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "references/cli/commands.hpp"
+#include "references/cli/layers_option.hpp"
 #include "references/cli/options.hpp"
 #include "references/cli/progress.hpp"
 #include "references/faults/fault.hpp"
@@ -31,6 +32,7 @@ struct Options {
   bool prints_statistics = false;
   std::string statistics_json;
   std::vector<const faults::Fault*> faults;
+  std::vector<textbook::Layer> layers;
   double error = 0;  ///< 0: none was asked for
   gates::PictureOptions picture;
   RenderJob job;
@@ -131,6 +133,12 @@ int render(Options& options) {
   if (const auto complaint = complaint_about(asked, encoding)) {
     throw std::invalid_argument(in_quotes(asked) + ": " + *complaint);
   }
+  if (!options.layers.empty()) {
+    Progress progress("rendering " + options.scene);
+    options.job.progress = [&](double fraction) { progress.show(fraction); };
+    write_layers(options.image, shot, job_of(shot, options.job), options.layers);
+    return exit_agrees;
+  }
   std::optional<renderers::UnaskedFile> unasked;
   if (options.image.empty()) unasked.emplace(asked);
   const std::string path = unasked ? unasked->aside() : asked;
@@ -191,7 +199,8 @@ Table job_options(Options& options) {
            },
            "render with mistakes of real tracers, by the textbook tracer in double: ids of plumb faults, "
            "joined by commas",
-           {.value = "ID", .excludes = {"--stats", "--stats-json", "--samples"}}}};
+           {.value = "ID", .excludes = {"--stats", "--stats-json", "--samples"}}},
+          layers_option(options.layers)};
 }
 
 }  // namespace
@@ -202,6 +211,7 @@ Command render_command() {
           .purpose = "Render a scene to an image.",
           .footer =
               "Example: plumb render tests/scenes/phong.sdf -o phong.png --size 640x480\n"
+              "Example: plumb render tests/scenes/phong.sdf -o phong.exr --layers normal,depth,shadow\n"
               "--error measures against 113 bits on some pixels and against double on all; see plumb needs.\n"
               "Exit codes: 0 rendered, 2 trouble.",
           .options = joined(

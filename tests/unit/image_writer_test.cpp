@@ -141,7 +141,7 @@ TEST(ImageWriter, AFullDiskIsNoticedThroughOpenImageIO) {
   const auto make = reinterpret_cast<oiio::Write>(module_symbol(oiio::module_name, oiio::write_symbol));
   const auto write = [&](const char* name, oiio::Depth depth, std::size_t room) {
     FullSink sink(room);
-    const auto writer = make(sink, name, image.width, image.height, depth);
+    const auto writer = make(sink, name, {image.width, image.height, depth, {"R", "G", "B"}});
     writer->write(image.rgb);
     writer->finish();
   };

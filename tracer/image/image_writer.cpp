@@ -22,8 +22,11 @@ std::unique_ptr<RowWriter<std::uint8_t>> png_writer(ByteSink& file, int width, i
 std::unique_ptr<RowWriter<float>> oiio_writer(ByteSink& file, const std::string& path, int width,
                                               int height) {
   const auto make = reinterpret_cast<oiio::Write>(module_symbol(oiio::module_name, oiio::write_symbol));
-  return make(file, path, width, height,
-              is_float_format(extension_of(path)) ? oiio::Depth::float32 : oiio::Depth::bits16);
+  return make(file, path,
+              {width,
+               height,
+               is_float_format(extension_of(path)) ? oiio::Depth::float32 : oiio::Depth::bits16,
+               {"R", "G", "B"}});
 }
 
 const std::string& checked(const std::string& path, Encoding encoding) {
@@ -57,6 +60,16 @@ void ImageWriter::finish() {
   if (floats_) floats_->finish();
   if (bytes_) bytes_->finish();
   file_.commit();
+}
+
+void write_channels(const std::string& path, const ImageFile& picture) {
+  OutputFile file(path);
+  const auto make = reinterpret_cast<oiio::Write>(module_symbol(oiio::module_name, oiio::write_symbol));
+  const auto rows =
+      make(file, path, {picture.width, picture.height, oiio::Depth::float32, picture.contents.channels});
+  rows->write(picture.values);
+  rows->finish();
+  file.commit();
 }
 
 }  // namespace plumb

@@ -7,6 +7,7 @@
 
 #include "tracer/image/encode.hpp"
 #include "tracer/image/image.hpp"
+#include "tracer/image/image_file.hpp"
 #include "tracer/image/row_writer.hpp"
 #include "tracer/system/output_file.hpp"
 
@@ -31,5 +32,9 @@ class ImageWriter {
   std::unique_ptr<RowWriter<float>> floats_;  ///< one of the two is null
   std::unique_ptr<RowWriter<std::uint8_t>> bytes_;
 };
+
+/// Writes an EXR of floats with as many channels as the picture has, under their names. Throws
+/// std::runtime_error and then leaves nothing half-written.
+void write_channels(const std::string& path, const ImageFile& picture);
 
 }  // namespace plumb

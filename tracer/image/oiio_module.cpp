@@ -14,9 +14,11 @@ namespace {
 
 namespace lib = OIIO;
 
-lib::ImageSpec spec_for(int width, int height, Depth depth) {
-  lib::ImageSpec spec(width, height, 3, lib::TypeDesc::FLOAT);
-  if (depth == Depth::bits16) spec.format = lib::TypeDesc::UINT16;
+lib::ImageSpec spec_for(const Layout& layout) {
+  lib::ImageSpec spec(layout.width, layout.height, static_cast<int>(layout.channels.size()),
+                      lib::TypeDesc::FLOAT);
+  spec.channelnames = layout.channels;
+  if (layout.depth == Depth::bits16) spec.format = lib::TypeDesc::UINT16;
   spec.attribute("oiio:ColorSpace", "Linear");
   spec.attribute("compression", "zip");
   // A date of a type that EXR does not know is left out; without any, the time of day would be written.
@@ -64,7 +66,7 @@ class Writer final : public RowWriter<float> {
       : path_(path),
         proxy_(file),
         out_(lib::ImageOutput::create(path)),
-        row_(3 * static_cast<std::size_t>(spec.width)) {
+        row_(static_cast<std::size_t>(spec.nchannels) * static_cast<std::size_t>(spec.width)) {
     if (!out_) fail(lib::geterror());
     if (!out_->set_ioproxy(&proxy_)) fail("this format cannot be written through a proxy");
     expect(out_->open(path, spec));
@@ -187,9 +189,9 @@ extern "C" {
 #endif
 
 std::unique_ptr<plumb::RowWriter<float>> plumb_oiio_write(plumb::ByteSink& file, const std::string& path,
-                                                          int width, int height, plumb::oiio::Depth depth) {
+                                                          const plumb::oiio::Layout& layout) {
   plumb::oiio::use_no_threads();
-  return std::make_unique<plumb::oiio::Writer>(file, path, plumb::oiio::spec_for(width, height, depth));
+  return std::make_unique<plumb::oiio::Writer>(file, path, plumb::oiio::spec_for(layout));
 }
 
 void plumb_oiio_prepare() {

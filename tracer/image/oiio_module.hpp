@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "tracer/image/canvas.hpp"
 #include "tracer/image/kind.hpp"
@@ -15,10 +16,18 @@ namespace plumb::oiio {
 
 enum class Depth { float32, bits16 };
 
-/// Makes a writer of linear colours into `file`, which must outlive it, in the format that the path's name
+/// A picture that is to be written.
+struct Layout {
+  int width;
+  int height;
+  Depth depth;
+  std::vector<std::string> channels;  ///< in the order in which the rows have them
+};
+
+/// Makes a writer of linear values into `file`, which must outlive it, in the format that the path's name
 /// says. Throws std::runtime_error naming the path.
-using Write = std::unique_ptr<RowWriter<float>> (*)(ByteSink& file, const std::string& path, int width,
-                                                    int height, Depth depth);
+using Write = std::unique_ptr<RowWriter<float>> (*)(ByteSink& file, const std::string& path,
+                                                    const Layout& layout);
 /// For the confined process alone: does what needs threads and files, before they are forbidden.
 using Prepare = void (*)();
 /// Decodes bytes of a kind that is known already. Returns an empty string, or what went wrong.

@@ -14,7 +14,7 @@ class RowWriter {
   RowWriter(const RowWriter&) = delete;
   RowWriter& operator=(const RowWriter&) = delete;
 
-  /// Writes complete rows, interleaved r g b, below those of the call before. Throws std::runtime_error
+  /// Writes complete rows, channels interleaved, below those of the call before. Throws std::runtime_error
   /// naming the file.
   virtual void write(std::span<const Component> rows) = 0;
   /// Ends the file after the last row. Throws std::runtime_error naming the file.
