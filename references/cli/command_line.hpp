@@ -16,6 +16,7 @@ namespace plumb::cli {
 inline constexpr int exit_agrees = 0;
 inline constexpr int exit_differs = 1;
 inline constexpr int exit_trouble = 2;
+inline constexpr int exit_abstains = 3;  ///< of diagnose alone: nothing is certain
 
 /// Takes a text that an option was given, once the whole command line is understood. Throws
 /// std::invalid_argument, whose text begins with the option's name.

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "references/cli/commands.hpp"
+#include "references/cli/diagnose_layers.hpp"
 #include "references/cli/handed_in_picture.hpp"
 #include "references/cli/options.hpp"
 #include "references/report/diagnosis_json.hpp"
@@ -22,13 +23,12 @@ namespace {
 using Json = nlohmann::ordered_json;
 using report::TellApart;
 
-constexpr int exit_abstains = 3;
-
 struct Options {
   std::string scene;
   std::string image;
   std::string json;
   std::string report;
+  std::vector<std::string> layers;
   int hint = 3;
   std::optional<double> tolerance;
   gates::PictureOptions picture;
@@ -185,15 +185,39 @@ bool begins_like_a_picture(const std::string& path) {
 
 /// Throws when a picture stands where the scene is expected, and the other file is none.
 void check_order(const Options& options) {
-  if (!begins_like_a_picture(options.scene) || begins_like_a_picture(options.image)) return;
+  if (options.image.empty() || !begins_like_a_picture(options.scene) || begins_like_a_picture(options.image))
+    return;
   throw std::invalid_argument("diagnose: found the picture " + options.scene +
                               " before the scene, expected plumb diagnose " + options.image + " " +
                               options.scene);
 }
 
+/// Without a picture.
+int run_on_layers(const Options& options, const Scene& scene) {
+  if (!options.report.empty())
+    throw std::invalid_argument("--report: found no IMAGE, expected the picture that the page is to show");
+  const auto layers = diagnosed_layers(options.layers, scene, options.scene, options.picture);
+  if (options.json != "-")
+    for (const DiagnosedLayer& layer : layers) print(layer, options.hint);
+  if (!options.json.empty()) {
+    report::write_json(options.json, {{"tool", "plumb"},
+                                      {"version", PLUMB_VERSION},
+                                      {"scene", options.scene},
+                                      {"image", nullptr},
+                                      {"layers", to_json(layers, options.hint)}});
+  }
+  return exit_code_of(layers);
+}
+
 int run_diagnose(const Options& options) {
   check_order(options);
   const Scene scene = load_scene(options.scene, options.picture.dialect, warn);
+  if (options.image.empty() && options.layers.empty())
+    throw std::invalid_argument(
+        "diagnose: found no picture, expected IMAGE, or --layer NAME=FILE; e.g. plumb diagnose " +
+        options.scene + " picture.ppm");
+  if (options.image.empty()) return run_on_layers(options, scene);
+  const auto layers = diagnosed_layers(options.layers, scene, options.scene, options.picture);
   Shot shot = shot_of(scene, options.picture);
   const auto [seen, not_looked_at] = handed_in_picture(options.image, options.scene, options.picture, shot);
   const diagnosis::Diagnosis diagnosis =
@@ -202,9 +226,13 @@ int run_diagnose(const Options& options) {
   if (options.json != "-") {
     print(options, diagnosis);
     print(tell_apart, options.hint);
+    for (const DiagnosedLayer& layer : layers) print(layer, options.hint);
   }
-  if (!options.json.empty())
-    report::write_json(options.json, to_json(options, diagnosis, tell_apart, not_looked_at));
+  if (!options.json.empty()) {
+    Json json = to_json(options, diagnosis, tell_apart, not_looked_at);
+    if (!layers.empty()) json["layers"] = to_json(layers, options.hint);
+    report::write_json(options.json, json);
+  }
   if (options.report.empty()) return exit_code_of(diagnosis);
   report::write_diagnosis(options.report, {options.image, shot, seen, diagnosis, tell_apart, not_looked_at},
                           options.hint);
@@ -221,6 +249,7 @@ Command diagnose_command() {
       .purpose = "Find the mistakes in a ray tracer from the picture that it made of a scene.",
       .footer =
           "Example: plumb diagnose tests/scenes/phong.sdf phong.ppm\n"
+          "Example: plumb diagnose tests/scenes/phong.sdf --layer normal=normals.ppm\n"
           "Right is a picture of which every pixel is within what its file can hold, or proven to lie on an "
           "edge.\n"
           "Exit codes: 0 the picture is right; 1 faults explain it, or a part, or it is right apart from a "
@@ -228,7 +257,8 @@ Command diagnose_command() {
           "pixels, or a part is certain, e.g. the camera; 2 trouble; 3 nothing is certain.",
       .options = joined(
           {{{"SCENE", &options->scene, "scene file", {.is_required = true}},
-            {"IMAGE", &options->image, "the picture that the tracer made of it", {.is_required = true}},
+            {"IMAGE", &options->image, "the picture that the tracer made of it"},
+            handed_in_layers_option(options->layers),
             hint_option(options->hint),
             {"--tolerance",
              &options->tolerance,

@@ -1,6 +1,8 @@
 #include "references/cli/handed_in_picture.hpp"
 
+#include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <stdexcept>
 
 #include "references/cli/options.hpp"
@@ -27,11 +29,30 @@ void check_size(const std::string& image, const std::string& scene_file, const g
                               " if the tracer was asked for that");
 }
 
+/// Returns the rows of these channels alone, if the file has them all.
+std::optional<PixelRows> rows_of_channels(const PixelRows& rows, const std::vector<std::string>& channels) {
+  std::vector<std::size_t> places;
+  for (const std::string& channel : channels) {
+    const auto found = std::ranges::find(rows.contents.channels, channel);
+    if (found == rows.contents.channels.end()) return {};
+    places.push_back(static_cast<std::size_t>(found - rows.contents.channels.begin()));
+  }
+  if (places.empty()) return {};
+  return with_channels(rows, places);
+}
+
 }  // namespace
 
 HandedInPicture handed_in_picture(const std::string& image, const std::string& scene_file,
-                                  const gates::PictureOptions& options, Shot& shot) {
+                                  const gates::PictureOptions& options, Shot& shot,
+                                  const std::vector<std::string>& channels) {
   const PixelRows rows = open_image(image);
+  if (const auto named = rows_of_channels(rows, channels)) {
+    check_size(image, scene_file, options, *named, shot);
+    shot.width = named->width;
+    shot.height = named->height;
+    return {image_of(*named), {}};
+  }
   if (const auto complaint = diagnosis::complaint_about_contents(rows))
     throw std::invalid_argument(image + ": " + submissions::printable(*complaint));
   check_size(image, scene_file, options, rows, shot);

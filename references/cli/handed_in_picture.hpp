@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "references/gates/picture_options.hpp"
 #include "tracer/image/image_file.hpp"
@@ -16,8 +17,9 @@ struct HandedInPicture {
 
 /// Reads a picture of the scene that `scene_file` names, and gives the shot its size. A picture of another
 /// size that shows the same view is taken, with a warning. Throws std::invalid_argument for any other, and
-/// for a file that holds no picture of a scene.
+/// for a file that holds no picture of a scene. Where the file has all of `channels`, these are the picture.
 HandedInPicture handed_in_picture(const std::string& image, const std::string& scene_file,
-                                  const gates::PictureOptions& options, Shot& shot);
+                                  const gates::PictureOptions& options, Shot& shot,
+                                  const std::vector<std::string>& channels = {});
 
 }  // namespace plumb::cli

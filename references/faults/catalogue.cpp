@@ -102,6 +102,14 @@ std::vector<float> colours_with(const Scene& scene, const Camera& camera, const 
   return colours;
 }
 
+std::vector<float> layers_with(const Scene& scene, const Camera& camera, const textbook::RenderJob& job,
+                               const std::vector<const Fault*>& faults,
+                               const std::vector<textbook::Layer>& layers,
+                               const std::vector<PixelPlace>& places) {
+  const Subject subject = subject_with(scene, camera, job, faults);
+  return textbook::layers_at(subject.scene, subject.camera, subject.job, layers, subject.formulas, places);
+}
+
 Image render_with(const Scene& scene, const Camera& camera, const textbook::RenderJob& job,
                   const std::vector<const Fault*>& faults) {
   const Subject subject = subject_with(scene, camera, job, faults);

@@ -10,6 +10,7 @@
 #include "tracer/image/image.hpp"
 #include "tracer/scene/scene.hpp"
 #include "tracer/textbook/formula_table.hpp"
+#include "tracer/textbook/layers.hpp"
 #include "tracer/textbook/ray_budget.hpp"
 #include "tracer/textbook/render.hpp"
 
@@ -67,5 +68,12 @@ Image render_with(const Scene& scene, const Camera& camera, const textbook::Rend
 std::vector<float> colours_with(const Scene& scene, const Camera& camera, const textbook::RenderJob& job,
                                 const std::vector<const Fault*>& faults,
                                 const std::vector<PixelPlace>& places, textbook::Work& work);
+
+/// Returns layers of these pixels, as textbook::layers_at() does. What faults do to a finished picture is
+/// left out.
+std::vector<float> layers_with(const Scene& scene, const Camera& camera, const textbook::RenderJob& job,
+                               const std::vector<const Fault*>& faults,
+                               const std::vector<textbook::Layer>& layers,
+                               const std::vector<PixelPlace>& places);
 
 }  // namespace plumb::faults

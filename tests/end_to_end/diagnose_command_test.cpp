@@ -49,6 +49,40 @@ TEST_F(DiagnoseCommand, AFaultIsNamedInTextAndJson) {
   EXPECT_EQ(json["remaining"]["pixels_over_2_255"], 0);
 }
 
+TEST_F(DiagnoseCommand, ALayerThatRenderWroteIsRight) {
+  const Outcome rendered = run({"render", "s.sdf", "-o", "a.exr", "--layers", "depth,normal,shadow"});
+  ASSERT_EQ(rendered.exit_code, 0) << rendered.err;
+  EXPECT_EQ(rendered.out, "a.exr\na.depth.png\na.normal.png\na.shadow.png\n");
+  for (const char* layer : {"normal=a.normal.png", "normal=a.exr", "depth=a.depth.png", "depth=a.exr"}) {
+    const Outcome outcome = run({"diagnose", "s.sdf", "--layer", layer});
+    EXPECT_EQ(outcome.exit_code, 0) << layer << outcome.out << outcome.err;
+  }
+  const Json json = json_of({"diagnose", "s.sdf", "--layer", "normal=a.normal.png", "--json", "-"});
+  EXPECT_EQ(json["layers"][0]["verdict"], "right");
+  EXPECT_EQ(json["layers"][0]["encoding"], "n / 2 + 1/2");
+  EXPECT_EQ(run({"diagnose", "s.sdf", "--layer", "normal=a.shadow.png"}).exit_code, 3);
+}
+
+TEST_F(DiagnoseCommand, ALayerStandsBesideAPicture) {
+  ASSERT_EQ(run({"render", "s.sdf", "-o", "a.exr", "--layers", "normal"}).exit_code, 0);
+  const std::string turned = run({"render", "s.sdf", "--fault", "ka-kd-swapped", "-o", "b.ppm"}).err;
+  const Outcome outcome = run({"diagnose", "s.sdf", "b.ppm", "--layer", "normal=a.normal.png"});
+  EXPECT_EQ(outcome.exit_code, 1) << turned;
+  EXPECT_TRUE(contains(outcome.out, "ka-kd-swapped")) << outcome.out;
+  EXPECT_TRUE(contains(outcome.out, "a.normal.png: normal: right")) << outcome.out;
+}
+
+TEST_F(DiagnoseCommand, WhatIsNoLayerIsTrouble) {
+  ASSERT_EQ(run({"render", "s.sdf", "-o", "a.exr", "--layers", "normal"}).exit_code, 0);
+  expect_trouble(run({"diagnose", "s.sdf"}), {"found no picture", "--layer"});
+  expect_trouble(run({"diagnose", "s.sdf", "--layer", "a.exr"}), {"normal=normals.png"});
+  expect_trouble(run({"diagnose", "s.sdf", "--layer", "shadow=a.exr"}), {"expected normal or depth"});
+  expect_trouble(run({"diagnose", "s.sdf", "--layer", "normals=a.exr"}), {"expected 'normal'"});
+  expect_trouble(run({"render", "s.sdf", "-o", "a.png", "--layers", "normal"}), {"-o NAME.exr"});
+  expect_trouble(run({"render", "s.sdf", "-o", "a.exr", "--layers", "normal,normal"}), {"twice"});
+  expect_trouble(run({"render", "s.sdf", "-o", "a.exr", "--layers", "normal,"}), {"found ''"});
+}
+
 TEST_F(DiagnoseCommand, HintsTellMoreByAndBy) {
   ASSERT_EQ(run({"render", "s.sdf", "--fault", "ka-kd-swapped", "-o", "a.ppm"}).exit_code, 0);
   const std::string slide = run({"diagnose", "s.sdf", "a.ppm", "--hint", "1"}).out;
