@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "references/cli/commands.hpp"
+#include "references/cli/diagnose_case.hpp"
 #include "references/cli/diagnose_layers.hpp"
 #include "references/cli/handed_in_picture.hpp"
 #include "references/cli/options.hpp"
@@ -29,6 +30,7 @@ struct Options {
   std::string json;
   std::string report;
   std::vector<std::string> layers;
+  std::string directory, scenes;  ///< of a case
   int hint = 3;
   std::optional<double> tolerance;
   gates::PictureOptions picture;
@@ -210,6 +212,12 @@ int run_on_layers(const Options& options, const Scene& scene) {
 }
 
 int run_diagnose(const Options& options) {
+  if (!options.directory.empty())
+    return diagnose_case(
+        {options.directory, options.scenes, options.json, options.hint, options.tolerance, options.picture});
+  if (options.scene.empty())
+    throw std::invalid_argument(
+        "diagnose: found no scene, expected plumb diagnose SCENE IMAGE, or --case DIR; see --help");
   check_order(options);
   const Scene scene = load_scene(options.scene, options.picture.dialect, warn);
   if (options.image.empty() && options.layers.empty())
@@ -250,15 +258,25 @@ Command diagnose_command() {
       .footer =
           "Example: plumb diagnose tests/scenes/phong.sdf phong.ppm\n"
           "Example: plumb diagnose tests/scenes/phong.sdf --layer normal=normals.ppm\n"
+          "Example: plumb diagnose --case my-pictures --scenes tests/scenes\n"
           "Right is a picture of which every pixel is within what its file can hold, or proven to lie on an "
           "edge.\n"
           "Exit codes: 0 the picture is right; 1 faults explain it, or a part, or it is right apart from a "
           "few\n"
           "pixels, or a part is certain, e.g. the camera; 2 trouble; 3 nothing is certain.",
       .options = joined(
-          {{{"SCENE", &options->scene, "scene file", {.is_required = true}},
+          {{{"SCENE", &options->scene, "scene file"},
             {"IMAGE", &options->image, "the picture that the tracer made of it"},
             handed_in_layers_option(options->layers),
+            {"--case",
+             &options->directory,
+             "directory with the pictures that one tracer made of several scenes, each named as its scene: "
+             "one set of faults explains all, and what one scene cannot tell another can",
+             {.value = "DIR", .excludes = {"SCENE", "IMAGE", "--layer", "--report", "--size", "--camera"}}},
+            {"--scenes",
+             &options->scenes,
+             "where the scenes of --case are. Default: beside the pictures, else plumb's own",
+             {.value = "DIR", .needs = {"--case"}}},
             hint_option(options->hint),
             {"--tolerance",
              &options->tolerance,

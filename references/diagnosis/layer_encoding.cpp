@@ -161,9 +161,10 @@ LayerFit fit_of_normals(std::span<const std::array<float, 3>> normals, std::span
       explained[i] = true;
       for (std::size_t c = 0; c < 3; ++c) {
         const float value = curve.value(base.value(normals[i][c]));
-        const float expected = is_rounded ? std::clamp(value, 0.0F, 1.0F) : value;
+        const float clamped = std::clamp(value, 0.0F, 1.0F);
         // 1 is the one value that truncation leaves.
-        const float written = expected < 1 ? std::max(expected + offset, 0.0F) : expected;
+        const float in_levels = clamped < 1 ? std::max(clamped + offset, 0.0F) : clamped;
+        const float written = is_rounded ? in_levels : value;
         if (!(std::fabs(written - seen[i][c]) <= tolerance)) explained[i] = false;
       }
     }

@@ -66,6 +66,12 @@ Json rounding_json(const diagnosis::OutputEncoding& encoding) {
 
 }  // namespace
 
+Json to_json(const diagnosis::Certain& certain) {
+  return {{"camera", certain_json(certain.camera)},
+          {"shadows", certain_json(certain.shadows)},
+          {"shading", certain_json(certain.shading)}};
+}
+
 Json to_json(const diagnosis::Diagnosis& diagnosis, int hint) {
   Json faults = Json::array();
   Json ambiguous = Json::array();
@@ -75,9 +81,7 @@ Json to_json(const diagnosis::Diagnosis& diagnosis, int hint) {
   }
   Json json{{"verdict", diagnosis::to_string(diagnosis.verdict)}, {"faults", faults}};
   if (!diagnosis.faults.empty()) json["explains"] = diagnosis.explains_all() ? "all" : "part";
-  json["certain"] = {{"camera", certain_json(diagnosis.certain.camera)},
-                     {"shadows", certain_json(diagnosis.certain.shadows)},
-                     {"shading", certain_json(diagnosis.certain.shading)}};
+  json["certain"] = to_json(diagnosis.certain);
   json["habits"] = habits_json(diagnosis.habits);
   json["unexplained_pixels"] = diagnosis.unexplained_pixels;
   json["edge_pixels"] = diagnosis.edges;

@@ -14,4 +14,7 @@ namespace plumb::report {
 /// fault: 1 its slide, 2 its title, too, 3 all. `flipped` is told from 2 on, `ambiguous` at 3.
 nlohmann::ordered_json to_json(const diagnosis::Diagnosis& diagnosis, int hint);
 
+/// {camera, shadows, shading}, each right, wrong or null.
+nlohmann::ordered_json to_json(const diagnosis::Certain& certain);
+
 }  // namespace plumb::report

@@ -1,4 +1,5 @@
 // `plumb faults`, `plumb render --fault` and `plumb diagnose`, from the scene to the exit code.
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "tests/support/end_to_end.hpp"
@@ -81,6 +82,66 @@ TEST_F(DiagnoseCommand, WhatIsNoLayerIsTrouble) {
   expect_trouble(run({"render", "s.sdf", "-o", "a.png", "--layers", "normal"}), {"-o NAME.exr"});
   expect_trouble(run({"render", "s.sdf", "-o", "a.exr", "--layers", "normal,normal"}), {"twice"});
   expect_trouble(run({"render", "s.sdf", "-o", "a.exr", "--layers", "normal,"}), {"found ''"});
+}
+
+/// Pictures of two scenes in the directory c: s.ppm of the ball, t.ppm of even exponents.
+class DiagnoseCase : public DiagnoseCommand {
+ protected:
+  DiagnoseCase() {
+    std::filesystem::create_directory(workplace_.path("c"));
+    workplace_.file("c/s.sdf", std::string(ball_scene));
+    workplace_.file("c/t.sdf", read_file(source_path("tests/scenes/phong-even-exponent.sdf")));
+  }
+  void render(const std::string& name, const std::string& fault) const {
+    std::vector<std::string> words{"render", "c/" + name + ".sdf", "-o", "c/" + name + ".ppm"};
+    if (!fault.empty()) words.insert(words.end(), {"--fault", fault});
+    ASSERT_EQ(run(words).exit_code, 0);
+  }
+};
+
+TEST_F(DiagnoseCase, WhatOneSceneCannotTellAnotherCan) {
+  render("s", "specular-missing");
+  const Json alone = json_of({"diagnose", "c/s.sdf", "c/s.ppm", "--json", "-"});
+  EXPECT_EQ(alone["ambiguous"].size(), 1U) << alone;
+  render("t", "specular-missing");
+  const Json json = json_of({"diagnose", "--case", "c", "--json", "-"});
+  EXPECT_EQ(json["verdict"], "faults");
+  ASSERT_EQ(json["faults"].size(), 1U) << json;
+  EXPECT_EQ(json["faults"][0]["id"], "specular-missing");
+  EXPECT_EQ(json["faults"][0]["alike"], Json::array());
+  EXPECT_EQ(json["faults"][0]["pictures"], Json({"s.ppm", "t.ppm"}));
+  EXPECT_EQ(json["pictures"].size(), 2U);
+  EXPECT_TRUE(contains(run({"diagnose", "--case", "c"}).out, "s.ppm, t.ppm"));
+}
+
+TEST_F(DiagnoseCase, AFaultIsTakenBackWhereAnotherPictureIsRightWithoutIt) {
+  render("s", "ka-kd-swapped");
+  render("t", "");
+  const Outcome outcome = run({"diagnose", "--case", "c"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_TRUE(contains(outcome.out, "not ka-kd-swapped")) << outcome.out;
+  const Json json = json_of({"diagnose", "--case", "c", "--json", "-"});
+  EXPECT_EQ(json["faults"], Json::array());
+  EXPECT_EQ(json["withdrawn"][0]["contradicted_by"], "t.ppm");
+}
+
+TEST_F(DiagnoseCase, WhatCannotBeReadIsLeftOutWithItsReason) {
+  render("s", "");
+  workplace_.file("c/t.png", "no picture");
+  workplace_.file("c/u.ppm", "P3 1 1 255 1 2 3");
+  const Outcome outcome = run({"diagnose", "--case", "c"});
+  EXPECT_EQ(outcome.exit_code, 2) << outcome.out << outcome.err;
+  EXPECT_TRUE(contains(outcome.out, "left out: c/t.png")) << outcome.out;
+  EXPECT_TRUE(contains(outcome.out, "left out: c/u.ppm: no scene has its name")) << outcome.out;
+  EXPECT_EQ(json_of({"diagnose", "--case", "c", "--json", "-"})["verdict"], "unexplained");
+  std::filesystem::remove(workplace_.path("c/t.png"));
+  EXPECT_EQ(run({"diagnose", "--case", "c"}).exit_code, 0);
+  std::filesystem::create_directory(workplace_.path("empty"));
+  workplace_.file("c/s.ppm", "no picture either");
+  EXPECT_EQ(run({"diagnose", "--case", "c"}).exit_code, 2);
+  expect_trouble(run({"diagnose", "--case", "c/none"}), {"c/none"});
+  expect_trouble(run({"diagnose", "--case", "c", "--scenes", "empty"}), {"no picture", "--scenes"});
+  expect_trouble(run({"diagnose"}), {"SCENE IMAGE", "--case"});
 }
 
 TEST_F(DiagnoseCommand, HintsTellMoreByAndBy) {

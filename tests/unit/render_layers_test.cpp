@@ -112,8 +112,8 @@ INSTANTIATE_TEST_SUITE_P(RenderLayers, OfAScene, testing::ValuesIn(scenes()), []
 /// A floor, a box that hides the first light from its left half, and a second light behind the floor.
 constexpr const char* floor_and_box = R"(ambient 1 1 1
 camera eye 60 0 5 0 0 -1 0 0 0 -1
-define light hidden 0 5 0 0 0 0 1 1 1
-define light below 0 -5 0 0 0 0 1 1 1
+define light hidden 0 5 0 1 1 1 1
+define light below 0 -5 0 1 1 1 1
 define material grey 0.1 0.1 0.1 0.5 0.5 0.5 0 0 0 1
 define shape box lid -10 4 -10 0 4.5 10 grey
 define shape box floor -10 -1 -10 10 0 10 grey
