@@ -11,6 +11,7 @@
 #include "references/cli/diagnose_layers.hpp"
 #include "references/cli/handed_in_picture.hpp"
 #include "references/cli/options.hpp"
+#include "references/diagnosis/unseen.hpp"
 #include "references/report/diagnosis_json.hpp"
 #include "references/report/diagnosis_page.hpp"
 #include "references/report/results_json.hpp"
@@ -169,6 +170,23 @@ void print(const std::vector<TellApart>& tell_apart, int hint) {
   }
 }
 
+void print(const diagnosis::UnseenFaults& unseen) {
+  std::string scenes;
+  for (const std::string& scene : unseen.shown_by) scenes += (scenes.empty() ? "" : ", ") + scene;
+  std::printf("unseen: %zu of %zu known faults would change none of %zu pixels here%s\n",
+              unseen.faults.size(), faults::fault_catalogue().size(), unseen.pixels,
+              scenes.empty() ? "" : ("; of tests/scenes, these show more of them: " + scenes).c_str());
+}
+
+Json to_json(const diagnosis::UnseenFaults& unseen) {
+  Json ids = Json::array();
+  for (const faults::Fault* fault : unseen.faults) ids.push_back(fault->id);
+  return {{"faults", ids},
+          {"of", faults::fault_catalogue().size()},
+          {"pixels", unseen.pixels},
+          {"scenes", unseen.shown_by}};
+}
+
 int exit_code_of(const diagnosis::Diagnosis& diagnosis) {
   if (diagnosis.verdict == diagnosis::PictureVerdict::right) return exit_agrees;
   return diagnosis.tells_something() ? exit_differs : exit_abstains;
@@ -231,13 +249,17 @@ int run_diagnose(const Options& options) {
   const diagnosis::Diagnosis diagnosis =
       diagnosis::diagnose(scene, shot.camera, job_of(shot), seen, options.tolerance);
   const auto tell_apart = options.hint == 3 ? scenes_that_tell_apart(diagnosis) : std::vector<TellApart>{};
+  std::optional<diagnosis::UnseenFaults> unseen;
+  if (diagnosis.verdict == diagnosis::PictureVerdict::right) unseen = diagnosis::unseen_faults(shot, seen);
   if (options.json != "-") {
     print(options, diagnosis);
+    if (unseen) print(*unseen);
     print(tell_apart, options.hint);
     for (const DiagnosedLayer& layer : layers) print(layer, options.hint);
   }
   if (!options.json.empty()) {
     Json json = to_json(options, diagnosis, tell_apart, not_looked_at);
+    if (unseen) json["unseen"] = to_json(*unseen);
     if (!layers.empty()) json["layers"] = to_json(layers, options.hint);
     report::write_json(options.json, json);
   }

@@ -1,4 +1,5 @@
 // `plumb faults`, `plumb render --fault` and `plumb diagnose`, from the scene to the exit code.
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -31,6 +32,31 @@ TEST_F(DiagnoseCommand, ARightPictureIsRight) {
   const Outcome outcome = run({"diagnose", "s.sdf", "a.ppm"});
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_TRUE(contains(outcome.out, "a.ppm: right (tone-mapped, truncated to 8 bits)")) << outcome.out;
+}
+
+TEST_F(DiagnoseCommand, WhatARightPictureCannotShowIsSaid) {
+  for (const char* name : {"a.ppm", "a.exr"}) {
+    ASSERT_EQ(run({"render", "s.sdf", "-o", name}).exit_code, 0);
+    const Json json = json_of({"diagnose", "s.sdf", name, "--json", "-"});
+    const auto unseen = json["unseen"]["faults"].get<std::vector<std::string>>();
+    const auto is_unseen = [&](const std::string& id) {
+      return std::ranges::find(unseen, id) != unseen.end();
+    };
+    EXPECT_TRUE(is_unseen("mirror-missing")) << "nothing mirrors";
+    EXPECT_TRUE(is_unseen("last-light-decides") || is_unseen("transforms-missing"));
+    EXPECT_FALSE(is_unseen("ka-kd-swapped"));
+    EXPECT_FALSE(is_unseen("pixel-corner"));
+    EXPECT_FALSE(json["unseen"]["scenes"].empty());
+    EXPECT_EQ(json["unseen"]["pixels"], 32 * 24);
+    // Each that is said to be unseen is right when it is rendered, too.
+    for (const std::string& id : unseen) {
+      if (id != "mirror-missing" && id != "transforms-missing" && id != "eta-inverted") continue;
+      ASSERT_EQ(run({"render", "s.sdf", "--fault", id, "-o", "b.ppm"}).exit_code, 0);
+      EXPECT_EQ(run({"diagnose", "s.sdf", "b.ppm"}).exit_code, 0) << id;
+    }
+  }
+  EXPECT_TRUE(
+      contains(run({"diagnose", "s.sdf", "a.ppm"}).out, " known faults would change none of 768 pixels"));
 }
 
 TEST_F(DiagnoseCommand, AFaultIsNamedInTextAndJson) {
