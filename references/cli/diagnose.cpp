@@ -91,7 +91,7 @@ void print(const diagnosis::FoundFault& found, int hint) {
   if (hint == 2) return;
   std::printf("      id     %s\n      found  %s\n      right  %s\n", text_of(fault.id).c_str(),
               text_of(fault.wrong).c_str(), text_of(fault.right).c_str());
-  constexpr std::size_t most_alike = 5;
+  constexpr std::size_t most_alike = 3;
   for (std::size_t i = 0; i < std::min(most_alike, found.alike.size()); ++i)
     std::printf("      or     %s: it gives the same picture here\n", text_of(found.alike[i]->id).c_str());
   if (found.alike.size() > most_alike)

@@ -1,9 +1,11 @@
 #include "references/diagnosis/diagnosis.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "references/diagnosis/by_geometry.hpp"
 #include "references/diagnosis/diagnostician.hpp"
+#include "references/diagnosis/search.hpp"
 
 namespace plumb::diagnosis {
 
@@ -23,10 +25,26 @@ const char* to_string(PictureVerdict verdict) {
 
 namespace {
 
+/// Of faults that give the same picture, what is simply missing comes first, then what more tracers have.
+bool is_likelier(const faults::Fault* a, const faults::Fault* b) {
+  constexpr int missing = 38;  // number in the catalogue
+  const bool a_is_missing = a->catalogue == missing, b_is_missing = b->catalogue == missing;
+  return a_is_missing != b_is_missing ? a_is_missing : count_of(*a) > count_of(*b);
+}
+
+void put_the_likeliest_first(FoundFault& found) {
+  std::vector<const faults::Fault*> all{found.fault};
+  all.insert(all.end(), found.alike.begin(), found.alike.end());
+  std::ranges::stable_sort(all, &is_likelier);
+  found.fault = all.front();
+  found.alike = {all.begin() + 1, all.end()};
+}
+
 /// Says of a picture that is explained to the last pixel that the rest is right.
 Diagnosis with_what_is_certain(Diagnosis diagnosis) {
   const bool is_known = diagnosis.verdict != PictureVerdict::unexplained && diagnosis.explains_all();
   if (is_known) diagnosis.certain = {Certainty::right, Certainty::right, Certainty::right};
+  for (FoundFault& found : diagnosis.faults) put_the_likeliest_first(found);
   tell_what_is_wrong(diagnosis);
   return diagnosis;
 }
