@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "references/diagnosis/brightness.hpp"
 #include "references/diagnosis/by_geometry.hpp"
 #include "references/diagnosis/diagnostician.hpp"
 #include "references/diagnosis/search.hpp"
@@ -56,6 +57,10 @@ Diagnosis diagnose(const Scene& scene, const Camera& camera, const textbook::Ren
   Evidence evidence(scene, camera, job, seen, tolerance);
   Diagnostician diagnostician(evidence, seen);
   if (auto simple = diagnostician.without_search()) return with_what_is_certain(std::move(*simple));
+  std::optional<Diagnosis> brighter = right_but_for_brightness(evidence, seen, tolerance);
+  // No fault changes a background, nor makes black another level. The rest may have a fault as its cause.
+  if (brighter && (scene.background != Rgbd(0) || brighter->habits.front().id == "levels"))
+    return with_what_is_certain(std::move(*brighter));
   std::optional<ByGeometry> by_geometry;
   if (auto geometry = geometry_of(scene, camera, job, seen)) {
     by_geometry.emplace(evidence, seen, tolerance, std::move(*geometry));
@@ -65,6 +70,7 @@ Diagnosis diagnose(const Scene& scene, const Camera& camera, const textbook::Ren
   Diagnosis by_colours = diagnostician.with_search(evidence);
   const bool is_told = by_colours.verdict == PictureVerdict::right_apart ||
                        (by_colours.verdict == PictureVerdict::faults && by_colours.explains_all());
+  if (!is_told && brighter) return with_what_is_certain(std::move(*brighter));
   if (!is_told && by_geometry) by_colours = by_geometry->completed(std::move(by_colours));
   return with_what_is_certain(std::move(by_colours));
 }
