@@ -234,8 +234,7 @@ int run_diagnose(const Options& options) {
     return diagnose_case(
         {options.directory, options.scenes, options.json, options.hint, options.tolerance, options.picture});
   if (options.scene.empty())
-    throw std::invalid_argument(
-        "diagnose: found no scene, expected plumb diagnose SCENE IMAGE, or --case DIR; see --help");
+    throw std::invalid_argument("diagnose: SCENE and IMAGE are required, or --case DIR; see --help");
   check_order(options);
   const Scene scene = load_scene(options.scene, options.picture.dialect, warn);
   if (options.image.empty() && options.layers.empty())

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <deque>
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -29,7 +28,6 @@ namespace {
 namespace fs = std::filesystem;
 using diagnosis::CaseDiagnosis;
 using diagnosis::CaseFault;
-using diagnosis::CasePicture;
 using diagnosis::PictureVerdict;
 using Json = nlohmann::ordered_json;
 
@@ -38,10 +36,14 @@ struct Pair {
   std::string scene, image;
 };
 
+struct CasePicture {
+  std::string name;
+  diagnosis::Diagnosis diagnosis;
+};
+
 /// What was looked at, and what was not.
 struct Case {
-  std::deque<Scene> scenes;  // which the pictures refer to
-  std::vector<Pair> pairs;   // of each picture
+  std::vector<Pair> pairs;  // of each picture
   std::vector<CasePicture> pictures;
   std::vector<std::pair<std::string, std::string>> left_out;  // an image, and why
   bool is_whole = true;  // false: a picture of a scene could not be diagnosed
@@ -107,13 +109,12 @@ std::vector<Pair> pairs_of(const CaseOptions& options, Case& of) {
 /// A picture that cannot be diagnosed is left out with its reason; the others are.
 void add(const Pair& pair, const CaseOptions& options, Case& of) {
   try {
-    of.scenes.push_back(load_scene(pair.scene, options.picture.dialect, warn));
-    Shot shot = shot_of(of.scenes.back(), options.picture);
-    auto handed_in = handed_in_picture(pair.image, pair.scene, options.picture, shot);
-    auto diagnosis =
-        diagnosis::diagnose(shot.scene, shot.camera, job_of(shot), handed_in.seen, options.tolerance);
+    const Scene scene = load_scene(pair.scene, options.picture.dialect, warn);
+    Shot shot = shot_of(scene, options.picture);
+    const auto [seen, not_looked_at] = handed_in_picture(pair.image, pair.scene, options.picture, shot);
+    auto diagnosis = diagnosis::diagnose(scene, shot.camera, job_of(shot), seen, options.tolerance);
     of.pictures.push_back(
-        {fs::path(pair.image).filename().string(), shot, std::move(handed_in.seen), std::move(diagnosis)});
+        {submissions::printable(fs::path(pair.image).filename().string()), std::move(diagnosis)});
     of.pairs.push_back(pair);
   } catch (const std::exception& error) {
     of.left_out.emplace_back(pair.image, error.what());
@@ -203,35 +204,10 @@ const char* verdict_of(const Case& of, const CaseDiagnosis& joined) {
   return of.is_whole && all_are_right(of) ? "right" : joined.faults.empty() ? "unexplained" : "faults";
 }
 
-Json names_json(const std::vector<std::size_t>& numbers, const std::vector<CasePicture>& pictures) {
-  Json names = Json::array();
-  for (const std::size_t i : numbers) names.push_back(pictures[i].name);
-  return names;
-}
-
-Json to_json(const CaseFault& found, const std::vector<CasePicture>& pictures, int hint) {
-  const faults::Fault& fault = *found.fault;
-  Json json;
-  if (hint >= 3) json = {{"id", fault.id}, {"catalogue", fault.catalogue}};
-  if (hint >= 2) json["title"] = fault.explanation;
-  json["slide"] = fault.slide;
-  json["confidence"] = found.confidence;
-  json["pictures"] = names_json(found.pictures, pictures);
-  if (hint < 3) return json;
-  json["wrong"] = fault.wrong;
-  json["right"] = fault.right;
-  json["alike"] = Json::array();
-  for (const faults::Fault* other : found.alike) json["alike"].push_back(other->id);
-  return json;
-}
-
 Json to_json(const CaseOptions& options, const Case& of, const CaseDiagnosis& joined) {
-  Json faults = Json::array(), withdrawn = Json::array(), pictures = Json::array(), left_out = Json::array();
-  for (const CaseFault& found : joined.faults) faults.push_back(to_json(found, of.pictures, options.hint));
-  for (const auto& [fault, picture, by] : joined.withdrawn)
-    withdrawn.push_back({{"id", fault->id},
-                         {"picture", of.pictures[picture].name},
-                         {"contradicted_by", of.pictures[by].name}});
+  Json pictures = Json::array(), left_out = Json::array();
+  std::vector<std::string> names;
+  for (const CasePicture& picture : of.pictures) names.push_back(picture.name);
   for (std::size_t i = 0; i < of.pictures.size(); ++i) {
     Json json{{"scene", of.pairs[i].scene}, {"image", of.pairs[i].image}};
     json.update(report::to_json(of.pictures[i].diagnosis, options.hint));
@@ -239,10 +215,11 @@ Json to_json(const CaseOptions& options, const Case& of, const CaseDiagnosis& jo
   }
   for (const auto& [image, why] : of.left_out)
     left_out.push_back({{"image", submissions::printable(image)}, {"why", submissions::printable(why)}});
-  Json json{{"tool", "plumb"},           {"version", PLUMB_VERSION},
-            {"case", options.directory}, {"verdict", verdict_of(of, joined)},
-            {"faults", faults},          {"certain", report::to_json(joined.certain)}};
-  if (options.hint == 3) json["withdrawn"] = withdrawn;
+  Json json{{"tool", "plumb"},
+            {"version", PLUMB_VERSION},
+            {"case", options.directory},
+            {"verdict", verdict_of(of, joined)}};
+  json.update(report::to_json(joined, names, options.hint));
   json["pictures"] = pictures;
   json["left_out"] = left_out;
   return json;
@@ -252,7 +229,9 @@ Json to_json(const CaseOptions& options, const Case& of, const CaseDiagnosis& jo
 
 int diagnose_case(const CaseOptions& options) {
   const Case all = diagnosed(options);
-  const CaseDiagnosis joined = diagnosis::diagnosis_of_case(all.pictures, options.tolerance);
+  std::vector<const diagnosis::Diagnosis*> told;
+  for (const CasePicture& picture : all.pictures) told.push_back(&picture.diagnosis);
+  const CaseDiagnosis joined = diagnosis::diagnosis_of_case(told);
   if (options.json != "-") print(options, all, joined);
   if (!options.json.empty()) report::write_json(options.json, to_json(options, all, joined));
   return exit_code_of(all);

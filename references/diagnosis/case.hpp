@@ -1,22 +1,13 @@
-// Takes the pictures that one tracer made of several scenes together: one set of faults for all.
+// Takes what was told of the pictures that one tracer made of several scenes together: one set of faults for
+// all.
 #pragma once
 
 #include <cstddef>
-#include <optional>
-#include <string>
 #include <vector>
 
 #include "references/diagnosis/diagnosis.hpp"
-#include "tracer/scene/shot.hpp"
 
 namespace plumb::diagnosis {
-
-struct CasePicture {
-  std::string name;
-  Shot shot;
-  ImageFile seen;  ///< of the shot's size
-  Diagnosis diagnosis;
-};
 
 struct CaseFault {
   const faults::Fault* fault;
@@ -38,9 +29,8 @@ struct CaseDiagnosis {
   Certain certain;  ///< wrong where one picture says so; right where one says so and none that it is wrong
 };
 
-/// Joins what was told of each picture. A fault, or its like, is taken back where another picture, to which
-/// it would matter, is right without it. A picture whose camera is unknown contradicts nothing. `tolerance`
-/// is that of diagnose().
-CaseDiagnosis diagnosis_of_case(const std::vector<CasePicture>& pictures, std::optional<double> tolerance);
+/// Joins what was told of each picture; null stands for one of which nothing was told. A fault, or its like,
+/// is taken back where another picture excludes it.
+CaseDiagnosis diagnosis_of_case(const std::vector<const Diagnosis*>& pictures);
 
 }  // namespace plumb::diagnosis

@@ -66,6 +66,9 @@ struct Diagnosis {
   Certain certain;
   /// What the pixels that are not explained should show, the most first. Empty where that is not known.
   std::vector<ShapeSeen> shapes{};
+  /// Faults of which the picture shows that its tracer does not have them: it is right where it would not be
+  /// with them. Empty while the camera is unknown.
+  std::vector<const faults::Fault*> excluded{};
 
   bool explains_all() const { return unexplained_pixels == 0; }
   /// True if something is known of the picture; else a diagnosis abstains.

@@ -23,6 +23,25 @@ Json picture_json(const submissions::JudgedPicture& picture, HintLevel hint) {
   return json;
 }
 
+/// What the pictures of each submission say together.
+Json submissions_json(const std::vector<submissions::JudgedPicture>& all, HintLevel hint) {
+  Json joined = Json::array();
+  for (std::size_t first = 0; first < all.size();) {
+    std::vector<const diagnosis::Diagnosis*> told;
+    std::vector<std::string> scenes;
+    std::size_t next = first;
+    for (; next < all.size() && all[next].submission == all[first].submission; ++next) {
+      told.push_back(all[next].diagnosis ? &*all[next].diagnosis : nullptr);
+      scenes.push_back(all[next].scene);
+    }
+    Json json{{"submission", all[first].submission}};
+    json.update(to_json(diagnosis::diagnosis_of_case(told), scenes, hint));
+    joined.push_back(std::move(json));
+    first = next;
+  }
+  return joined;
+}
+
 }  // namespace
 
 Json overview_json(const std::vector<submissions::JudgedPicture>& all, HintLevel hint,
@@ -39,6 +58,7 @@ Json overview_json(const std::vector<submissions::JudgedPicture>& all, HintLevel
   if (!facts.of_no_scene.empty()) json["of_no_scene"] = facts.of_no_scene;
   json["verdicts"] = counts;
   json["pictures"] = pictures;
+  json["submissions"] = submissions_json(all, hint);
   return json;
 }
 

@@ -64,7 +64,34 @@ Json rounding_json(const diagnosis::OutputEncoding& encoding) {
   return encoding.is_float ? Json() : Json(encoding.rounds ? "round" : "truncate");
 }
 
+Json to_json(const diagnosis::CaseFault& found, const std::vector<std::string>& names, int hint) {
+  const faults::Fault& fault = *found.fault;
+  Json json;
+  if (hint >= 3) json = {{"id", fault.id}, {"catalogue", fault.catalogue}};
+  if (hint >= 2) json["title"] = fault.explanation;
+  json["slide"] = fault.slide;
+  json["confidence"] = found.confidence;
+  json["pictures"] = Json::array();
+  for (const std::size_t i : found.pictures) json["pictures"].push_back(names[i]);
+  if (hint < 3) return json;
+  json["wrong"] = fault.wrong;
+  json["right"] = fault.right;
+  json["alike"] = Json::array();
+  for (const faults::Fault* other : found.alike) json["alike"].push_back(other->id);
+  return json;
+}
+
 }  // namespace
+
+Json to_json(const diagnosis::CaseDiagnosis& joined, const std::vector<std::string>& names, int hint) {
+  Json faults = Json::array(), withdrawn = Json::array();
+  for (const diagnosis::CaseFault& found : joined.faults) faults.push_back(to_json(found, names, hint));
+  for (const auto& [fault, picture, by] : joined.withdrawn)
+    withdrawn.push_back({{"id", fault->id}, {"picture", names[picture]}, {"contradicted_by", names[by]}});
+  Json json{{"faults", faults}, {"certain", to_json(joined.certain)}};
+  if (hint >= 3) json["withdrawn"] = withdrawn;
+  return json;
+}
 
 Json to_json(const diagnosis::Certain& certain) {
   return {{"camera", certain_json(certain.camera)},

@@ -2,7 +2,10 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
+#include "references/diagnosis/case.hpp"
 #include "references/diagnosis/diagnosis.hpp"
 
 namespace plumb::report {
@@ -13,6 +16,11 @@ namespace plumb::report {
 /// `explains` is there with faults, `pixels` and `shapes` with right_apart. `hint` says how much is told of a
 /// fault: 1 its slide, 2 its title, too, 3 all. `flipped` is told from 2 on, `ambiguous` at 3.
 nlohmann::ordered_json to_json(const diagnosis::Diagnosis& diagnosis, int hint);
+
+/// {faults: [{slide, confidence, pictures, title, id, catalogue, wrong, right, alike}], certain, withdrawn:
+/// [{id, picture, contradicted_by}]}, with `names` of the pictures. `withdrawn` is told at hint 3.
+nlohmann::ordered_json to_json(const diagnosis::CaseDiagnosis& joined, const std::vector<std::string>& names,
+                               int hint);
 
 /// {camera, shadows, shading}, each right, wrong or null.
 nlohmann::ordered_json to_json(const diagnosis::Certain& certain);

@@ -93,6 +93,8 @@ Json record_of(const diagnosis::Diagnosis& diagnosis) {
   for (const diagnosis::Habit& habit : diagnosis.habits) habits.push_back(record_of(habit));
   Json faults = Json::array();
   for (const diagnosis::FoundFault& found : diagnosis.faults) faults.push_back(record_of(found));
+  Json excluded = Json::array();
+  for (const faults::Fault* fault : diagnosis.excluded) excluded.push_back(name_of(*fault));
   Json shapes = Json::array();
   for (const diagnosis::ShapeSeen& shape : diagnosis.shapes) shapes.push_back(record_of(shape));
   return {{"verdict", static_cast<int>(diagnosis.verdict)},
@@ -110,7 +112,8 @@ Json record_of(const diagnosis::Diagnosis& diagnosis) {
           {"camera", static_cast<int>(diagnosis.certain.camera)},
           {"shadows", static_cast<int>(diagnosis.certain.shadows)},
           {"shading", static_cast<int>(diagnosis.certain.shading)},
-          {"shapes", shapes}};
+          {"shapes", shapes},
+          {"excluded", excluded}};
 }
 
 diagnosis::Diagnosis diagnosis_of(const Json& json) {
@@ -132,6 +135,7 @@ diagnosis::Diagnosis diagnosis_of(const Json& json) {
   diagnosis.certain.shading = static_cast<diagnosis::Certainty>(json.at("shading").get<int>());
   for (const Json& shape : json.at("shapes"))
     diagnosis.shapes.push_back({shape.at(0).get<std::string>(), shape.at(1).get<std::size_t>()});
+  for (const Json& id : json.at("excluded")) diagnosis.excluded.push_back(fault_of(id));
   return diagnosis;
 }
 

@@ -167,7 +167,7 @@ TEST_F(DiagnoseCase, WhatCannotBeReadIsLeftOutWithItsReason) {
   EXPECT_EQ(run({"diagnose", "--case", "c"}).exit_code, 2);
   expect_trouble(run({"diagnose", "--case", "c/none"}), {"c/none"});
   expect_trouble(run({"diagnose", "--case", "c", "--scenes", "empty"}), {"no picture", "--scenes"});
-  expect_trouble(run({"diagnose"}), {"SCENE IMAGE", "--case"});
+  expect_trouble(run({"diagnose"}), {"SCENE and IMAGE", "--case"});
 }
 
 TEST_F(DiagnoseCommand, HintsTellMoreByAndBy) {

@@ -259,6 +259,32 @@ TEST_F(JudgeCommand, FaultsThatCannotBeToldApartAreSaidInEveryOutput) {
   }
 }
 
+/// The second scene tells apart what the first does not; another submission has another mistake in each.
+TEST_F(JudgeCommand, ThePicturesOfASubmissionAreOneCase) {
+  workplace_.file("scenes/t.sdf", read_file(source_path("tests/scenes/phong-even-exponent.sdf")));
+  const auto paint = [&](const std::string& name, const std::string& scene, const std::string& fault) {
+    fs::create_directories(workplace_.path("pictures/" + name));
+    std::vector<std::string> words{"render", "scenes/" + scene + ".sdf", "-o",
+                                   "pictures/" + name + "/" + scene + ".ppm"};
+    if (!fault.empty()) words.insert(words.end(), {"--fault", fault});
+    ASSERT_EQ(run_plumb(words, workplace_.directory()).exit_code, 0);
+  };
+  paint("anna", "s", "specular-missing"), paint("anna", "t", "specular-missing");
+  paint("bert", "s", "ka-kd-swapped"), paint("bert", "t", "");
+  for (const char* journal : {"made", "kept"}) {
+    const Outcome outcome = judge({"--images", "pictures", "--json", "-", "--report", "report"});
+    const Json submissions = Json::parse(outcome.out, nullptr, false).value("submissions", Json::array());
+    ASSERT_EQ(submissions.size(), 2U) << outcome.out << outcome.err;
+    EXPECT_EQ(submissions[0]["submission"], "anna");
+    ASSERT_EQ(submissions[0]["faults"].size(), 1U) << journal << submissions[0];
+    EXPECT_EQ(submissions[0]["faults"][0]["id"], "specular-missing");
+    EXPECT_EQ(submissions[0]["faults"][0]["alike"], Json::array());
+    EXPECT_EQ(submissions[0]["faults"][0]["pictures"], Json({"s", "t"}));
+    EXPECT_EQ(submissions[1]["faults"], Json::array()) << journal;
+    EXPECT_EQ(submissions[1]["withdrawn"][0]["contradicted_by"], "t");
+  }
+}
+
 TEST_F(JudgeCommand, TheReportLinksTheLessonOfEachFault) {
   fs::create_directories(workplace_.path("pictures"));
   ASSERT_EQ(run_plumb({"render", "scenes/s.sdf", "--fault", "ka-kd-swapped", "-o", "pictures/s.ppm"},
