@@ -169,8 +169,9 @@ class LayerSearch {
     }
     candidate.layers = values;
     candidate.unexplained = places_.size();
-    constexpr std::size_t one_in = 40;  // because less than a fortieth of a picture shows one face or two
-    if (of_surfaces.size() < places_.size() / one_in) return;
+    // because fewer show one face or two, which many encodings give
+    constexpr std::size_t one_in = 40, least = 20;
+    if (of_surfaces.size() < std::max(least, places_.size() / one_in)) return;
     const auto fitted = layer_ == Layer::normal
                             ? std::optional(fit_of_normals(normals, of_surfaces, is_rounded_))
                             : fit_of_depths(along_ray, along_camera, of_surfaces, is_rounded_);

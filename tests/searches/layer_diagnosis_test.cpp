@@ -137,6 +137,11 @@ TEST(LayerDiagnosis, AnotherLayerOrAnotherSceneAccusesNobody) {
             LayerVerdict::unexplained);
   EXPECT_EQ(diagnose_layer(shot, layer_with(shot, Layer::normal, {}, &as_half), Layer::depth).verdict,
             LayerVerdict::unexplained);
+  const Scene empty = read_scene("define camera eye 60\nrender eye o.ppm 8 6\n").scene;
+  const Shot of_nothing = shot_of(empty, {});
+  EXPECT_EQ(
+      diagnose_layer(of_nothing, layer_with(of_nothing, Layer::normal, {}, as_half), Layer::normal).verdict,
+      LayerVerdict::unexplained);
   ImageFile grey = layer_with(shot, Layer::depth, {}, &as_far);
   std::ranges::fill(grey.values, 0.5F);
   EXPECT_EQ(diagnose_layer(shot, grey, Layer::depth).verdict, LayerVerdict::unexplained);
