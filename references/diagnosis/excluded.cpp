@@ -61,7 +61,7 @@ class Pixels {
 std::vector<const faults::Fault*> excluded_by(const Evidence& evidence, const Diagnosis& diagnosis) {
   if (!knows_the_camera(diagnosis) || diagnosis.is_of_one_colour) return {};
   // because outlines and roundings are less than a hundredth, and what is lost by chance is gained as often
-  constexpr std::size_t one_in = 100, times = 8, some = 300, most = 2000;
+  constexpr std::size_t one_in = 100, times = 8, some = 200, most = 1000;
   const Pixels first(evidence, diagnosis, some), all(evidence, diagnosis, most);
   std::vector<const faults::Fault*> excluded;
   for (std::size_t i = 0; i < number_of_faults(); ++i) {
