@@ -11,6 +11,7 @@
 #include "references/cli/diagnose_layers.hpp"
 #include "references/cli/handed_in_picture.hpp"
 #include "references/cli/options.hpp"
+#include "references/cli/told_fault.hpp"
 #include "references/diagnosis/unseen.hpp"
 #include "references/report/diagnosis_json.hpp"
 #include "references/report/diagnosis_page.hpp"
@@ -36,8 +37,6 @@ struct Options {
   std::optional<double> tolerance;
   gates::PictureOptions picture;
 };
-
-std::string text_of(std::string_view view) { return std::string(view); }
 
 std::vector<TellApart> scenes_that_tell_apart(const diagnosis::Diagnosis& diagnosis) {
   std::vector<TellApart> all;
@@ -89,8 +88,7 @@ void print(const diagnosis::FoundFault& found, int hint) {
   std::printf("  %s (slide \"%s\"; confidence %.2f, %zu pixels)%s\n", text_of(fault.explanation).c_str(),
               text_of(fault.slide).c_str(), found.confidence, found.pixels, or_others.c_str());
   if (hint == 2) return;
-  std::printf("      id     %s\n      found  %s\n      right  %s\n", text_of(fault.id).c_str(),
-              text_of(fault.wrong).c_str(), text_of(fault.right).c_str());
+  print_formulas(fault);
   constexpr std::size_t most_alike = 3;
   for (std::size_t i = 0; i < std::min(most_alike, found.alike.size()); ++i)
     std::printf("      or     %s: it gives the same picture here\n", text_of(found.alike[i]->id).c_str());
@@ -179,9 +177,7 @@ void print(const diagnosis::UnseenFaults& unseen) {
 }
 
 Json to_json(const diagnosis::UnseenFaults& unseen) {
-  Json ids = Json::array();
-  for (const faults::Fault* fault : unseen.faults) ids.push_back(fault->id);
-  return {{"faults", ids},
+  return {{"faults", report::ids_json(unseen.faults)},
           {"of", faults::fault_catalogue().size()},
           {"pixels", unseen.pixels},
           {"scenes", unseen.shown_by}};

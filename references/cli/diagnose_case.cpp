@@ -13,12 +13,13 @@
 #include "references/cli/handed_in_picture.hpp"
 #include "references/cli/options.hpp"
 #include "references/cli/progress.hpp"
+#include "references/cli/told_fault.hpp"
 #include "references/diagnosis/case.hpp"
+#include "references/gates/image_pairs.hpp"
 #include "references/report/diagnosis_json.hpp"
 #include "references/report/results_json.hpp"
 #include "references/submissions/shown_text.hpp"
 #include "tracer/format/reader.hpp"
-#include "tracer/image/format.hpp"
 #include "tracer/system/installation.hpp"
 #include "tracer/text/words.hpp"
 
@@ -48,12 +49,6 @@ struct Case {
   std::vector<std::pair<std::string, std::string>> left_out;  // an image, and why
   bool is_whole = true;  // false: a picture of a scene could not be diagnosed
 };
-
-bool is_picture_by_name(const fs::path& path) {
-  static const std::vector<std::string> extensions{".ppm",  ".pgm", ".pbm", ".pfm", ".png",  ".exr", ".tif",
-                                                   ".tiff", ".bmp", ".tga", ".jpg", ".jpeg", ".hdr"};
-  return std::ranges::find(extensions, extension_of(path.string())) != extensions.end();
-}
 
 /// The files of a directory by name.
 std::vector<fs::path> files_in(const std::string& directory) {
@@ -88,7 +83,7 @@ std::vector<Pair> pairs_of(const CaseOptions& options, Case& of) {
   const auto scenes = scenes_of(options);
   std::vector<Pair> pairs;
   for (const fs::path& file : files_in(options.directory)) {
-    if (!is_picture_by_name(file)) continue;
+    if (!gates::is_image_name(file.string())) continue;
     const auto scene = scenes.find(file.stem().string());
     if (scene == scenes.end()) {
       of.left_out.emplace_back(file.string(), "no scene has its name");
@@ -133,8 +128,6 @@ Case diagnosed(const CaseOptions& options) {
   return all;
 }
 
-std::string text_of(std::string_view view) { return std::string(view); }
-
 std::string names_of(const std::vector<std::size_t>& numbers, const std::vector<CasePicture>& pictures) {
   std::string text;
   for (const std::size_t i : numbers) text += (text.empty() ? "" : ", ") + pictures[i].name;
@@ -151,8 +144,7 @@ void print(const CaseFault& found, const std::vector<CasePicture>& pictures, int
   std::printf("  %s (slide \"%s\"; confidence %.2f; %s)\n", text_of(fault.explanation).c_str(),
               text_of(fault.slide).c_str(), found.confidence, names_of(found.pictures, pictures).c_str());
   if (hint == 2) return;
-  std::printf("      id     %s\n      found  %s\n      right  %s\n", text_of(fault.id).c_str(),
-              text_of(fault.wrong).c_str(), text_of(fault.right).c_str());
+  print_formulas(fault);
   constexpr std::size_t most_alike = 3;
   for (std::size_t i = 0; i < std::min(most_alike, found.alike.size()); ++i)
     std::printf("      or     %s: no picture here tells it from the first\n",

@@ -7,6 +7,8 @@
 #include "references/cli/handed_in_picture.hpp"
 #include "references/cli/layers_option.hpp"
 #include "references/cli/options.hpp"
+#include "references/cli/told_fault.hpp"
+#include "references/report/diagnosis_json.hpp"
 #include "tracer/text/words.hpp"
 
 namespace plumb::cli {
@@ -51,8 +53,6 @@ const char* word_of(LayerVerdict verdict) {
   return "unexplained";
 }
 
-std::string text_of(std::string_view view) { return std::string(view); }
-
 void print(const LayerFault& found, int hint) {
   const faults::Fault& fault = *found.fault;
   if (hint == 1) {
@@ -61,23 +61,14 @@ void print(const LayerFault& found, int hint) {
   }
   std::printf("  %s (slide \"%s\")\n", text_of(fault.explanation).c_str(), text_of(fault.slide).c_str());
   if (hint == 2) return;
-  std::printf("      id     %s\n      found  %s\n      right  %s\n", text_of(fault.id).c_str(),
-              text_of(fault.wrong).c_str(), text_of(fault.right).c_str());
+  print_formulas(fault);
   for (const faults::Fault* other : found.alike)
     std::printf("      or     %s: it gives the same layer here\n", text_of(other->id).c_str());
 }
 
 Json to_json(const LayerFault& found, int hint) {
-  const faults::Fault& fault = *found.fault;
-  Json json;
-  if (hint >= 3) json = {{"id", fault.id}, {"catalogue", fault.catalogue}};
-  if (hint >= 2) json["title"] = fault.explanation;
-  json["slide"] = fault.slide;
-  if (hint < 3) return json;
-  json["wrong"] = fault.wrong;
-  json["right"] = fault.right;
-  json["alike"] = Json::array();
-  for (const faults::Fault* other : found.alike) json["alike"].push_back(other->id);
+  Json json = report::fault_json(*found.fault, hint, Json::object());
+  if (hint >= 3) json["alike"] = report::ids_json(found.alike);
   return json;
 }
 

@@ -29,12 +29,6 @@ struct Side {
   std::string path(const std::string& file) const { return (fs::path(directory) / file).string(); }
 };
 
-bool is_image_name(const std::string& path) {
-  constexpr std::array<std::string_view, 13> known{".exr",  ".pfm", ".ppm", ".pgm", ".pbm",  ".png", ".tif",
-                                                   ".tiff", ".bmp", ".tga", ".jpg", ".jpeg", ".hdr"};
-  return std::find(known.begin(), known.end(), extension_of(path)) != known.end();
-}
-
 bool is_left_out(const fs::path& path, const std::vector<std::string>& left_out) {
   std::error_code ignored;
   return std::any_of(left_out.begin(), left_out.end(),
@@ -184,6 +178,12 @@ class StemPairs {
 };
 
 }  // namespace
+
+bool is_image_name(const std::string& path) {
+  constexpr std::array<std::string_view, 13> known{".exr",  ".pfm", ".ppm", ".pgm", ".pbm",  ".png", ".tif",
+                                                   ".tiff", ".bmp", ".tga", ".jpg", ".jpeg", ".hdr"};
+  return std::find(known.begin(), known.end(), extension_of(path)) != known.end();
+}
 
 bool names_several(const std::string& argument) {
   std::error_code ignored;

@@ -32,4 +32,7 @@ ImagePairs pair_images(const std::string& reference, const std::string& test,
 /// Returns the part of the path before the first component with a wildcard; a directory itself.
 std::string directory_of(const std::string& argument);
 
+/// True if a file's name ends as that of a picture does, in capital letters, too.
+bool is_image_name(const std::string& path);
+
 }  // namespace plumb::gates

@@ -9,19 +9,11 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json to_json(const diagnosis::FoundFault& found, int hint) {
-  const faults::Fault& fault = *found.fault;
-  Json json;
-  if (hint >= 3) json = {{"id", fault.id}, {"catalogue", fault.catalogue}};
-  if (hint >= 2) json["title"] = fault.explanation;
-  json["slide"] = fault.slide;
-  json["confidence"] = found.confidence;
-  json["pixels"] = found.pixels;
-  json["evidence"] = {{"pixels", std::max(found.changed, found.pixels)}, {"only_it", found.pixels}};
-  if (hint < 3) return json;
-  if (!std::isnan(fault.value)) json["value"] = fault.value;
-  json["wrong"] = fault.wrong;
-  json["right"] = fault.right;
-  return json;
+  return fault_json(
+      *found.fault, hint,
+      {{"confidence", found.confidence},
+       {"pixels", found.pixels},
+       {"evidence", {{"pixels", std::max(found.changed, found.pixels)}, {"only_it", found.pixels}}}});
 }
 
 /// The background's name is null.
@@ -65,23 +57,33 @@ Json rounding_json(const diagnosis::OutputEncoding& encoding) {
 }
 
 Json to_json(const diagnosis::CaseFault& found, const std::vector<std::string>& names, int hint) {
-  const faults::Fault& fault = *found.fault;
-  Json json;
-  if (hint >= 3) json = {{"id", fault.id}, {"catalogue", fault.catalogue}};
-  if (hint >= 2) json["title"] = fault.explanation;
-  json["slide"] = fault.slide;
-  json["confidence"] = found.confidence;
-  json["pictures"] = Json::array();
-  for (const std::size_t i : found.pictures) json["pictures"].push_back(names[i]);
-  if (hint < 3) return json;
-  json["wrong"] = fault.wrong;
-  json["right"] = fault.right;
-  json["alike"] = Json::array();
-  for (const faults::Fault* other : found.alike) json["alike"].push_back(other->id);
+  Json pictures = Json::array();
+  for (const std::size_t i : found.pictures) pictures.push_back(names[i]);
+  Json json = fault_json(*found.fault, hint, {{"confidence", found.confidence}, {"pictures", pictures}});
+  if (hint >= 3) json["alike"] = ids_json(found.alike);
   return json;
 }
 
 }  // namespace
+
+Json fault_json(const faults::Fault& fault, int hint, const Json& here) {
+  Json json;
+  if (hint >= 3) json = {{"id", fault.id}, {"catalogue", fault.catalogue}};
+  if (hint >= 2) json["title"] = fault.explanation;
+  json["slide"] = fault.slide;
+  json.update(here);
+  if (hint < 3) return json;
+  if (!std::isnan(fault.value)) json["value"] = fault.value;
+  json["wrong"] = fault.wrong;
+  json["right"] = fault.right;
+  return json;
+}
+
+Json ids_json(const std::vector<const faults::Fault*>& faults) {
+  Json ids = Json::array();
+  for (const faults::Fault* fault : faults) ids.push_back(fault->id);
+  return ids;
+}
 
 Json to_json(const diagnosis::CaseDiagnosis& joined, const std::vector<std::string>& names, int hint) {
   Json faults = Json::array(), withdrawn = Json::array();

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cstdint>
 #include <initializer_list>
+#include <iterator>
 #include <memory>
-#include <span>
 #include <stdexcept>
 
 #include "tracer/textbook/rows.hpp"
