@@ -188,10 +188,15 @@ void ByGeometry::name_what_is_told(Diagnosis& d) const {
     const bool is_sure = std::find(camera.faults.begin(), camera.faults.end(), fault) != camera.faults.end();
     if (is_sure || is_proven) add_of_the_camera(d, fault, camera.alike[i]);
   }
+  for (const ShapeElsewhere& shape : geometry_.elsewhere) add_of_a_shape(d, shape);
   d.faults.insert(d.faults.end(), shading.faults.begin(), shading.faults.end());
   d.is_flipped = names(d, faults::find_fault("upside-down"));
   d.verdict = d.faults.empty() ? PictureVerdict::unexplained : PictureVerdict::faults;
-  const FaultSet set = is_proven ? shading.set : set_of(camera.faults);
+  FaultSet set = is_proven ? shading.set : set_of(camera.faults);
+  for (const ShapeElsewhere& shape : geometry_.elsewhere) {
+    const FaultSet with_it = set_of({shape.fault});
+    if (!std::binary_search(set.begin(), set.end(), with_it.front())) set = with(set, with_it.front());
+  }
   const Remains remains = remains_of(evidence, set);
   tell_what_remains(evidence, set, remains, d);
   constexpr double nearly_all = 0.98;  // because of those at edges of shadows some are off
@@ -213,6 +218,14 @@ double ByGeometry::share_within(const Evidence& evidence, const FaultSet& set,
   const std::vector<bool> right = within(evidence, set, encoding, places);
   return static_cast<double>(std::count(right.begin(), right.end(), true)) /
          static_cast<double>(std::max<std::size_t>(1, right.size()));
+}
+
+/// Adds a fault that the place of one shape tells, unless the shading has it already.
+void ByGeometry::add_of_a_shape(Diagnosis& d, const ShapeElsewhere& shape) {
+  constexpr double confidence = 0.9;  // below that of the camera, because fewer edges tell it
+  if (names(d, shape.fault)) return;
+  d.faults.push_back({shape.fault, confidence / static_cast<double>(1 + shape.alike.size()),
+                      std::max<std::size_t>(1, shape.pixels), shape.alike});
 }
 
 /// Adds a fault that the places of things tell.

@@ -33,6 +33,7 @@ class ByGeometry {
   std::vector<Scene> with_background(const Rgbd& seen) const;
   double misfit_of(const Scene& scene) const;
   void name_what_is_told(Diagnosis& diagnosis) const;
+  static void add_of_a_shape(Diagnosis& d, const ShapeElsewhere& shape);
   void add_of_the_camera(Diagnosis& diagnosis, const faults::Fault* fault,
                          const std::vector<const faults::Fault*>& alike) const;
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <initializer_list>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "tracer/scene/hierarchy.hpp"
@@ -16,6 +17,7 @@ namespace {
 
 /// What is seen in a cell of the grid: 0 where nothing is hit.
 using Label = std::uint32_t;
+constexpr Label faces_of_a_shape = 8;  ///< labels of one shape follow each other
 
 constexpr int cells_of_a_picture = 17'000;
 /// because edges of a coarser grid hide whole objects
@@ -64,9 +66,8 @@ struct FirstHit {
   void is_black_at_depth_limit() const {}
   void meets(const textbook::Hit<double>& hit, const textbook::Surface<double>&, const Vec3d&,
              const Vec3d&) const {
-    constexpr Label faces = 8;
-    *label = 1 + faces * static_cast<Label>(hit.surface.instance) +
-             (static_cast<Label>(hit.surface.face) & (faces - 1));
+    *label = 1 + faces_of_a_shape * static_cast<Label>(hit.surface.instance) +
+             (static_cast<Label>(hit.surface.face) & (faces_of_a_shape - 1));
   }
   void is_lit_by(std::size_t, const textbook::LightSeen<double>&) const {}
   void ray_ends(const Rgbd&) const {}
@@ -163,6 +164,12 @@ class PictureSeen {
     const double precision = share_in(edges_, widened(edges, grid_));
     const double f1 = recall + precision > 0 ? 2 * recall * precision / (recall + precision) : 0;
     return (f1 + information(labels)) / 2;
+  }
+
+  /// The share of these cells that are edges of the picture or lie beside one.
+  double share_of_edges(const std::vector<std::size_t>& cells) const {
+    const auto in = std::count_if(cells.begin(), cells.end(), [&](std::size_t i) { return wide_[i]; });
+    return cells.empty() ? 0 : static_cast<double>(in) / static_cast<double>(cells.size());
   }
 
   /// The colour that nearly all cells have where nothing is hit, apart from those at edges.
@@ -426,6 +433,116 @@ CameraFound found_among(const std::vector<Candidate>& all) {
   return found;
 }
 
+bool is_of_transforms(const faults::Fault* fault) {
+  return !is_of_geometry(*fault) && fault->after == nullptr;
+}
+
+Label shape_of(Label label) { return label == 0 ? 0 : (label - 1) / faces_of_a_shape + 1; }
+
+/// Tells, shape by shape, which fault of the transforms puts it where the picture has it.
+class ShapesElsewhere {
+ public:
+  /// The first of the candidates is the camera that the picture agrees with.
+  ShapesElsewhere(const std::vector<Candidate>& all, const PictureSeen& seen, const Grid& grid)
+      : all_(all), seen_(seen), grid_(grid), base_(without_transforms(all)) {}
+
+  std::vector<ShapeElsewhere> found() const {
+    std::vector<ShapeElsewhere> found;
+    const std::set<Label> shapes = [&] {
+      std::set<Label> seen;
+      for (const Label label : base_.labels) seen.insert(shape_of(label));
+      seen.erase(0);
+      return seen;
+    }();
+    for (const Label shape : shapes) {
+      const auto one = of_shape(shape);
+      if (one && std::none_of(found.begin(), found.end(),
+                              [&](const ShapeElsewhere& other) { return other.fault == one->fault; }))
+        found.push_back(*one);
+    }
+    return found;
+  }
+
+ private:
+  static const Candidate& without_transforms(const std::vector<Candidate>& all) {
+    std::vector<const faults::Fault*> camera = all.front().faults;
+    std::erase_if(camera, is_of_transforms);
+    const auto base =
+        std::find_if(all.begin(), all.end(), [&](const Candidate& c) { return c.faults == camera; });
+    return base == all.end() ? all.front() : *base;
+  }
+
+  /// Returns nothing unless one place of the shape is seen, and what puts it there has one number.
+  std::optional<ShapeElsewhere> of_shape(Label shape) const {
+    std::optional<ShapeElsewhere> found;
+    for (const Candidate& candidate : all_) {
+      const std::vector<const faults::Fault*> faults = transforms_of(candidate);
+      if (faults.empty() || !shows(candidate.labels, shape)) continue;
+      if (!found) found = ShapeElsewhere{faults.front(), {}, pixels_moved(candidate.labels, shape)};
+      for (const faults::Fault* fault : faults) {
+        if (fault->catalogue != found->fault->catalogue) return {};
+        if (fault != found->fault && !has(found->alike, fault)) found->alike.push_back(fault);
+      }
+    }
+    return found;
+  }
+
+  /// Returns the faults of transforms that make the candidate of the base, one at a time.
+  std::vector<const faults::Fault*> transforms_of(const Candidate& candidate) const {
+    std::vector<const faults::Fault*> transforms;
+    std::vector<std::vector<const faults::Fault*>> sets = candidate.same;
+    sets.push_back(candidate.faults);
+    for (const auto& faults : sets) {
+      if (faults.size() != base_.faults.size() + 1) continue;
+      const auto other = std::find_if(faults.begin(), faults.end(), is_of_transforms);
+      const bool has_the_rest = std::all_of(base_.faults.begin(), base_.faults.end(),
+                                            [&](const faults::Fault* f) { return has(faults, f); });
+      if (other != faults.end() && has_the_rest) transforms.push_back(*other);
+    }
+    return transforms;
+  }
+
+  /// True if the edges that the shape has there are the picture's, and those that it has in the base are not.
+  bool shows(const std::vector<Label>& labels, Label shape) const {
+    constexpr std::size_t fewest = 40;  // because a few edges lie on others by chance
+    // because shadows, highlights and other shapes have edges, too
+    constexpr double nearly_all = 0.9, hardly_any = 0.5;
+    const std::vector<std::size_t> there = edges_apart(labels, base_.labels, shape);
+    const std::vector<std::size_t> here = edges_apart(base_.labels, labels, shape);
+    return there.size() >= fewest && here.size() >= fewest && seen_.share_of_edges(there) >= nearly_all &&
+           seen_.share_of_edges(here) <= hardly_any;
+  }
+
+  /// Returns the edges of a shape that are none, nor beside one, of whatever shape in the other picture.
+  std::vector<std::size_t> edges_apart(const std::vector<Label>& labels, const std::vector<Label>& other,
+                                       Label shape) const {
+    const auto of_shape = edges_where(grid_, [&](std::size_t a, std::size_t b) {
+      return labels[a] != labels[b] && (shape_of(labels[a]) == shape || shape_of(labels[b]) == shape);
+    });
+    const auto wide = widened(
+        edges_where(grid_, [&](std::size_t a, std::size_t b) { return other[a] != other[b]; }), grid_);
+    std::vector<std::size_t> apart;
+    for (std::size_t i = 0; i < of_shape.size(); ++i) {
+      if (of_shape[i] && !wide[i]) apart.push_back(i);
+    }
+    return apart;
+  }
+
+  std::size_t pixels_moved(const std::vector<Label>& labels, Label shape) const {
+    std::size_t cells = 0;
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+      const bool is_of_shape = shape_of(labels[i]) == shape || shape_of(base_.labels[i]) == shape;
+      cells += is_of_shape && labels[i] != base_.labels[i] ? 1 : 0;
+    }
+    return cells * static_cast<std::size_t>(grid_.stride) * static_cast<std::size_t>(grid_.stride);
+  }
+
+  const std::vector<Candidate>& all_;
+  const PictureSeen& seen_;
+  Grid grid_;
+  const Candidate& base_;
+};
+
 SurfacesSeen surfaces_of(const std::vector<Label>& labels, const Grid& grid) {
   const auto edges =
       widened(edges_where(grid, [&](std::size_t a, std::size_t b) { return labels[a] != labels[b]; }), grid);
@@ -480,7 +597,8 @@ std::optional<Geometry> geometry_of(const Scene& scene, const Camera& camera, co
     return Geometry{{}, picture.background(right->labels), surfaces_of(right->labels, grid)};
   }
   const std::vector<Label>& labels = all.front().labels;
-  Geometry geometry{found_among(all), picture.background(labels), surfaces_of(labels, grid)};
+  Geometry geometry{found_among(all), picture.background(labels), surfaces_of(labels, grid),
+                    ShapesElsewhere(all, picture, grid).found()};
   if (right != all.end()) {
     for (std::size_t i = 0; i < right->labels.size(); ++i)
       geometry.camera.pixels += right->labels[i] != all.front().labels[i] ? 1 : 0;

@@ -23,6 +23,13 @@ struct CameraFound {
   std::size_t pixels = 0;  ///< number that show another surface than with the right camera
 };
 
+/// A shape that stands where a fault of its transform puts it, whatever other shapes do.
+struct ShapeElsewhere {
+  const faults::Fault* fault;
+  std::vector<const faults::Fault*> alike;  ///< faults that put it there, too
+  std::size_t pixels = 0;                   ///< number that show another surface than without the fault
+};
+
 /// Where nothing is hit: the one colour that the picture has there.
 struct BackgroundSeen {
   Rgbd colour;         ///< as the file has it, 0 to 1
@@ -44,6 +51,8 @@ struct Geometry {
   CameraFound camera;
   std::optional<BackgroundSeen> background;
   SurfacesSeen surfaces;
+  /// Of shapes that the camera found shows elsewhere; empty where one fault puts all of them right.
+  std::vector<ShapeElsewhere> elsewhere{};
 };
 
 /// True if a fault is one of the camera, and moves what is seen by more than a pixel.
@@ -51,8 +60,10 @@ bool is_of_geometry(const faults::Fault& fault);
 
 /// Holds the edges and regions of the picture against those that each fault of the camera gives, alone and
 /// combined: field of view, shape of the image plane, pose, and the picture turned or mirrored. Where
-/// none agrees well the camera is unknown, and the rest is what the right one shows. Returns nothing of a
-/// scene or picture that is too small or too large for that. The job's size is the picture's.
+/// none agrees well the camera is unknown, and the rest is what the right one shows. A shape is elsewhere
+/// when the picture has nearly all the edges that a fault of transforms gives it and not those that it has
+/// without the fault. Returns nothing of a scene or picture that is too small or too large for that. The
+/// job's size is the picture's.
 std::optional<Geometry> geometry_of(const Scene& scene, const Camera& camera, const textbook::RenderJob& job,
                                     const ImageFile& seen);
 

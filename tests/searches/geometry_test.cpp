@@ -23,6 +23,23 @@ define camera eye 60
 render eye out.ppm 150 100
 )";
 
+constexpr const char* two_turned = R"(define material grey 0.4 0.4 0.4 0.5 0.5 0.5 0.3 0.3 0.3 20
+define material red 0.4 0.1 0.1 0.6 0.2 0.1 0.3 0.2 0.1 20
+define shape box floor -6 -3 -9 6 -1.6 -3 grey
+define shape box post -0.5 -0.5 -0.5 0.5 1.5 0.5 red
+define shape sphere egg 0 0 0 0.6 grey
+transform post rotate 70 0 0 1
+transform post translate -1.2 0.3 -5
+transform egg scale 1.8 0.7 1
+transform egg rotate 40 0 0 1
+transform egg translate 1.3 0.2 -5
+define light key -4 6 2 1 1 1 1
+ambient 0.3 0.3 0.3
+background 0.1 0.15 0.5
+define camera eye 60
+render eye out.ppm 150 100
+)";
+
 const textbook::RenderJob geometry_job = tests::job_of(150, 100);
 
 /// The room by a tracer that has a black background, half the light and no highlights.
@@ -45,13 +62,16 @@ bool names(const diagnosis::CameraFound& camera, const faults::Fault* fault) {
   return false;
 }
 
+const faults::Fault* any_fault(const std::string& id) {
+  const faults::Fault* const fault = faults::find_fault(id);
+  return fault != nullptr ? fault : faults::find_geometry_family(id);
+}
+
 class GeometryOf : public testing::TestWithParam<const char*> {};
 
 TEST_P(GeometryOf, TheFaultIsNamedWhateverTheColours) {
   const Scene scene = read_scene(tests::room_scene).scene;
-  const std::string id = GetParam();
-  const faults::Fault* const fault =
-      faults::find_fault(id) != nullptr ? faults::find_fault(id) : faults::find_geometry_family(id);
+  const faults::Fault* const fault = any_fault(GetParam());
   ASSERT_NE(fault, nullptr);
   const auto found =
       diagnosis::geometry_of(scene, scene.cameras.front(), geometry_job,
@@ -117,6 +137,46 @@ TEST(Geometry, AFaultOfTheCameraIsNamedBesideColoursThatNothingExplains) {
   EXPECT_EQ(found.certain.camera, diagnosis::Certainty::wrong);
   ASSERT_EQ(found.habits.size(), 1U);
   EXPECT_EQ(found.habits.front().id, "background");
+}
+
+/// The post by this fault, and the egg where no fault puts it.
+ImageFile picture_of_two(const faults::Fault* fault, double degrees_of_the_post) {
+  Scene scene = in_other_colours(read_scene(two_turned).scene);
+  for (Shape& shape : scene.shapes) {
+    if (shape.name == "egg") shape.transform.emplace_back(Translate{{0.1, 0.6, 0.2}});
+    for (TransformStep& step : shape.transform) {
+      if (auto* const turn = std::get_if<Rotate>(&step); turn && shape.name == "post")
+        turn->degrees = degrees_of_the_post;
+    }
+  }
+  std::vector<const faults::Fault*> faults;
+  if (fault != nullptr) faults.push_back(fault);
+  return tests::picture_of(scene, geometry_job, faults);
+}
+
+TEST(Geometry, AFaultOfOneShapesTransformIsNamedWhateverAnotherShapeDoes) {
+  const Scene scene = read_scene(two_turned).scene;
+  for (const char* const id : {"rotation-by-half", "rotation-sense-about-z"}) {
+    const faults::Fault* const fault = any_fault(id);
+    ASSERT_NE(fault, nullptr);
+    const auto found =
+        diagnosis::geometry_of(scene, scene.cameras.front(), geometry_job, picture_of_two(fault, 70));
+    ASSERT_TRUE(found);
+    ASSERT_EQ(found->elsewhere.size(), 1U) << id;
+    const auto& [named, alike, pixels] = found->elsewhere.front();
+    EXPECT_TRUE(named == fault || std::find(alike.begin(), alike.end(), fault) != alike.end()) << id;
+    EXPECT_GT(pixels, 100U);
+  }
+}
+
+TEST(Geometry, AShapeThatNoFaultPutsThereAccusesNobody) {
+  const Scene scene = read_scene(two_turned).scene;
+  for (const double degrees : {70.0, 45.0, 25.0, -30.0}) {
+    const auto found =
+        diagnosis::geometry_of(scene, scene.cameras.front(), geometry_job, picture_of_two(nullptr, degrees));
+    ASSERT_TRUE(found);
+    EXPECT_TRUE(found->elsewhere.empty()) << degrees;
+  }
 }
 
 }  // namespace
